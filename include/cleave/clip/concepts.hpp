@@ -20,6 +20,7 @@
 #ifndef CLEAVE_CLIP_CONCEPTS_HPP
 #define CLEAVE_CLIP_CONCEPTS_HPP
 
+#include <cleave/geometry/plane_relation.hpp>
 #include <cleave/number/sign.hpp>
 
 #include <concepts>
@@ -29,10 +30,6 @@
 #include <span>
 
 CLEAVE_BEGIN_NAMESPACE
-
-/// How two oriented planes lie to each other. `same` and `opposite` are coincident planes, co- and anti-oriented;
-/// `parallel` and `antiparallel` have no common point.
-enum class PlaneRelation : std::uint8_t { crossing, same, opposite, parallel, antiparallel };
 
 /// Where a facet lies with respect to an oriented plane h. minus/plus: in that closed half-space and not in h;
 /// on_same/on_opposite: in h, co- or anti-oriented with it; crossing: its relative interior meets both open sides.
