@@ -1,0 +1,461 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The indexed exact kernel: interned planes and lazily exact points, with filtered predicates.
+///
+/// A point is an input point (D doubles, or homogeneous integers) or the meet of D planes. It carries a double
+/// approximation with a proven absolute error bound; predicates try, in this order, identity ("this point was made from
+/// this plane"), the floating-point filter, a refined approximation (the point is computed exactly once), and the exact
+/// sign. Constructed points never define planes, so no number grows beyond the bound of the input planes.
+#ifndef CLEAVE_GEOMETRY_KERNEL_HPP
+#define CLEAVE_GEOMETRY_KERNEL_HPP
+
+#include <cleave/algebra/minors.hpp>
+#include <cleave/base/contract.hpp>
+#include <cleave/geometry/handles.hpp>
+#include <cleave/geometry/plane_table.hpp>
+#include <cleave/number/builtin.hpp>
+#include <cleave/number/sign.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+CLEAVE_BEGIN_NAMESPACE
+
+/// Homogeneous integer coordinates X_1, ..., X_D and a weight W > 0.
+template <int D>
+using Homogeneous = std::array<Integer, D + 1>;
+
+/// What is known of one point. `planes` are unoriented planes through it (`no_id` where unknown); a meet has D of them.
+template <int D>
+struct PointRecord {
+    enum class Kind : std::uint8_t { doubles, integers, meet };
+
+    std::array<double, D> approximation{};
+    /// |x_i - approximation_i| <= error for every i; 0: exact; infinity: not known yet.
+    double error = 0;
+    std::array<std::uint32_t, D> planes = filled();
+    /// Index of the exact coordinates, `no_id` while they are not needed (a `doubles` point never needs them).
+    std::uint32_t exact = no_id;
+    Kind kind = Kind::doubles;
+
+private:
+    static constexpr std::array<std::uint32_t, D> filled() {
+        std::array<std::uint32_t, D> a{};
+        a.fill(no_id);
+        return a;
+    }
+};
+
+/// Counts of what the predicates of one kernel had to do.
+struct KernelCounts {
+    std::uint64_t sides = 0;            ///< side tests asked for
+    std::uint64_t by_identity = 0;      ///< zero because the point was made from the plane
+    std::uint64_t filter_failures = 0;  ///< not decided by the first approximation
+    std::uint64_t exact_tests = 0;      ///< decided by exact arithmetic
+    std::uint64_t exact_points = 0;     ///< constructed points computed exactly
+};
+
+/// See the head of this file. Not thread-safe: each operation has its own.
+template <int D>
+class Kernel {
+public:
+    static constexpr int dimension = D;
+    using Record = PointRecord<D>;
+    using Exact = Homogeneous<D>;
+    using Residues = std::array<Mod61, D>;
+
+    PlaneTable<D> planes;
+
+    [[nodiscard]] std::size_t point_count() const noexcept { return points_.size(); }
+    [[nodiscard]] const Record& point(PointId p) const { return points_[p]; }
+    [[nodiscard]] const KernelCounts& counts() const noexcept { return counts_; }
+    void reserve_points(std::size_t n) { points_.reserve(n); }
+
+    /// An input point given by doubles. Requires: all finite.
+    PointId add_point(const std::array<double, D>& x) {
+        Record r;
+        r.approximation = x;
+        for (double& c : r.approximation) c += 0.0;  // one zero
+        return push(r);
+    }
+
+    /// An input point given by homogeneous integers. Requires: positive weight.
+    PointId add_point(Exact x) {
+        CLEAVE_REQUIRES(x[D].sign() == Sign::plus);
+        Record r;
+        r.kind = Record::Kind::integers;
+        r.exact = store(std::move(x));
+        approximate(r);
+        return push(r);
+    }
+
+    /// A copy of another kernel's (or boundary's) record; `planes` must be this kernel's.
+    PointId add_record(Record r, const Exact* exact) {
+        r.exact = exact != nullptr ? store(*exact) : no_id;
+        return push(r);
+    }
+
+    /// The meet of D planes, of which it is known that they meet in one point; computed when needed.
+    PointId add_meet(const std::array<std::uint32_t, D>& through) {
+        Record r;
+        r.kind = Record::Kind::meet;
+        r.planes = through;
+        r.error = std::numeric_limits<double>::infinity();
+        return push(r);
+    }
+
+    /// Notes that an input point lies on plane k, so that later side tests against k are free. Keeps the first D.
+    void note_incidence(PointId p, std::uint32_t k) {
+        Record& r = points_[p];
+        if (r.kind == Record::Kind::meet) return;
+        for (std::uint32_t& slot : r.planes) {
+            if (slot == k) return;
+            if (slot == no_id) {
+                slot = k;
+                return;
+            }
+        }
+    }
+
+    /// The side of plane h on which p lies. Cost: about 5 ns where the filter decides.
+    Sign side(PlaneId h, PointId p) {
+        const Sign s = side_of_canonical(unoriented(h), p);
+        return is_flipped(h) ? -s : s;
+    }
+
+    /// The point where the segment from a to b crosses h, on the D-1 further planes `line` (unoriented) whose meet is
+    /// the line ab. Requires: a and b lie on opposite open sides of h, both on `line`.
+    PointId cross(PlaneId h, PointId a, PointId b, const std::array<std::uint32_t, D - 1>& line) {
+        Record r;
+        r.kind = Record::Kind::meet;
+        for (std::size_t i = 0; i + 1 < D; ++i) r.planes[i] = line[i];
+        r.planes[D - 1] = unoriented(h);
+        interpolate(unoriented(h), points_[a], points_[b], r);
+        return push(r);
+    }
+
+    /// The exact coordinates of p, not reduced. Computed once for a meet and kept.
+    const Exact& exact(PointId p) {
+        Record& r = points_[p];
+        if (r.exact == no_id) {
+            r.exact = store(r.kind == Record::Kind::doubles ? from_doubles(r.approximation) : meet(r.planes));
+            if (r.kind == Record::Kind::meet) ++counts_.exact_points;
+        }
+        return exact_[r.exact];
+    }
+
+    /// Makes the approximation of p as tight as doubles allow.
+    void refine(PointId p) {
+        Record& r = points_[p];
+        if (r.kind == Record::Kind::doubles || is_tight(r)) return;
+        exact(p);
+        approximate(points_[p]);
+    }
+
+    /// The order of coordinate `axis` of p and q.
+    Sign compare(int axis, PointId p, PointId q) {
+        if (p == q) return Sign::zero;
+        const auto i = std::size_t(axis);
+        for (int attempt = 0; attempt < 2; ++attempt) {
+            const Record& a = points_[p];
+            const Record& b = points_[q];
+            const double difference = a.approximation[i] - b.approximation[i];
+            if (a.error == 0 && b.error == 0)
+                return sign_of_value(int(a.approximation[i] > b.approximation[i]) -
+                                     int(a.approximation[i] < b.approximation[i]));
+            const double bound = (a.error + b.error) * (1 + 0x1p-50) + std::abs(difference) * 0x1p-52 + 0x1p-1000;
+            if (difference > bound) return Sign::plus;
+            if (-difference > bound) return Sign::minus;
+            if (attempt == 0) {
+                if (is_tight(a) && is_tight(b)) break;
+                refine(p);
+                refine(q);
+            }
+        }
+        exact(p);
+        exact(q);
+        const Exact& x = exact_[points_[p].exact];
+        const Exact& y = exact_[points_[q].exact];
+        return (WideInteger(x[i]) * WideInteger(y[D]) - WideInteger(y[i]) * WideInteger(x[D])).sign();
+    }
+
+    /// Whether p and q are the same point of space.
+    bool same(PointId p, PointId q) {
+        if (p == q) return true;
+        for (int i = 0; i < D; ++i)
+            if (compare(i, p, q) != Sign::zero) return false;
+        return true;
+    }
+
+    /// Affine coordinates modulo 2^61-1; nullopt where the weight of the point in lowest terms is divisible by it.
+    std::optional<Residues> residues(PointId p) {
+        Residues x;
+        const Record& r = points_[p];
+        if (r.kind == Record::Kind::doubles) {
+            for (std::size_t i = 0; i < D; ++i) x[i] = residue_of(r.approximation[i]);
+            return x;
+        }
+        std::array<Mod61, D + 1> h;
+        if (r.kind == Record::Kind::meet && r.exact == no_id) {
+            std::array<std::array<Mod61, D + 1>, D> m;
+            for (std::size_t i = 0; i < D; ++i) m[i] = planes.residues(r.planes[i]);
+            h = residue_minors(m);
+        } else {
+            const Exact& e = exact(p);
+            for (std::size_t i = 0; i <= D; ++i) h[i] = Mod61(e[i].modulo_61());
+        }
+        if (h[D].value() == 0) {
+            Exact e = exact(p);
+            Integer g = e[D];
+            for (std::size_t i = 0; i < D; ++i) g = gcd(g, e[i]);
+            for (std::size_t i = 0; i <= D; ++i) h[i] = Mod61(exact_divide(e[i], g).modulo_61());
+            if (h[D].value() == 0) return std::nullopt;
+        }
+        const Mod61 w = h[D].inverse();
+        for (std::size_t i = 0; i < D; ++i) x[i] = h[i] * w;
+        return x;
+    }
+
+    /// Homogeneous integers of a point given by doubles; the weight is a power of two.
+    static Exact from_doubles(const std::array<double, D>& x) {
+        std::array<DoubleParts, D> parts;
+        std::int64_t low = 0;
+        for (std::size_t i = 0; i < D; ++i) {
+            parts[i] = decompose(x[i]);
+            if (parts[i].mantissa != 0) low = parts[i].exponent < low ? parts[i].exponent : low;
+        }
+        Exact e;
+        for (std::size_t i = 0; i < D; ++i)
+            e[i] = parts[i].mantissa == 0 ? Integer()
+                                          : Integer::scaled(parts[i].mantissa, unsigned(parts[i].exponent - low));
+        e[D] = Integer::scaled(1, unsigned(-low));
+        return e;
+    }
+
+    /// The meet of D planes of the table. Requires: they meet in one point.
+    Exact meet(const std::array<std::uint32_t, D>& through) const {
+        RowsView<D, D + 1, Integer> rows{};
+        for (std::size_t i = 0; i < D; ++i) rows.row[i] = &planes.exact(through[i]);
+        const auto v = minors<WideInteger>(rows);
+        CLEAVE_ASSERT(v[D].sign() != Sign::zero);
+        Exact e;
+        const bool negate = v[D].sign() == Sign::minus;
+        for (std::size_t i = 0; i <= D; ++i) e[i] = Integer(negate ? -v[i] : v[i]);
+        return e;
+    }
+
+    /// The plane through D points, plus side by the order of the points (outward-ordered points face outward); nullopt
+    /// where they do not span a plane.
+    std::optional<PlaneId> join(std::span<const PointId, D> through) {
+        std::array<Exact, D> points;
+        for (std::size_t i = 0; i < D; ++i) points[i] = coordinates(through[i]);
+        return join(points);
+    }
+
+    /// The same for homogeneous coordinates; a weight of zero is a direction.
+    std::optional<PlaneId> join(const std::array<Exact, D>& points) {
+        RowsView<D, D + 1, Integer> rows{};
+        for (std::size_t i = 0; i < D; ++i) rows.row[i] = &points[i];
+        const auto v = minors<WideInteger>(rows);
+        typename PlaneTable<D>::Coefficients c;
+        bool flat = true;
+        constexpr bool negate = (D + 1) % 2 != 0;
+        for (std::size_t i = 0; i <= D; ++i) {
+            c[i] = Integer(v[i]);
+            if constexpr (negate) c[i].negate();
+            if (i < D && !c[i].is_zero()) flat = false;
+        }
+        if (flat) return std::nullopt;
+        return planes.intern(std::move(c));
+    }
+
+    /// A copy of the exact coordinates of p; not kept for points given by doubles.
+    Exact coordinates(PointId p) {
+        const Record& r = points_[p];
+        return r.kind == Record::Kind::doubles ? from_doubles(r.approximation) : exact(p);
+    }
+
+private:
+    static constexpr double unit = 0x1p-53;
+
+    PointId push(const Record& r) {
+        points_.push_back(r);
+        return static_cast<PointId>(points_.size() - 1);
+    }
+
+    std::uint32_t store(Exact x) {
+        exact_.push_back(std::move(x));
+        return static_cast<std::uint32_t>(exact_.size() - 1);
+    }
+
+    static bool is_tight(const Record& r) {
+        return r.error == 0 || (r.exact != no_id && r.error < std::numeric_limits<double>::infinity() &&
+                                r.kind != Record::Kind::doubles && r.error <= tight_error(r));
+    }
+
+    static double tight_error(const Record& r) {
+        double largest = 0;
+        for (double x : r.approximation) largest = std::max(largest, std::abs(x));
+        return largest * unit * (1 + 0x1p-50) + 0x1p-1074;
+    }
+
+    void approximate(Record& r) const {
+        const Exact& e = exact_[r.exact];
+        bool finite = true;
+        for (std::size_t i = 0; i < D; ++i) {
+            r.approximation[i] = ratio_to_double(e[i], e[D]);
+            finite = finite && std::isfinite(r.approximation[i]);
+        }
+        r.error = finite ? tight_error(r) : std::numeric_limits<double>::infinity();
+    }
+
+    /// Evaluates the filter. Returns whether the sign is certain; `value` and `bound` describe the scaled distance.
+    ///
+    /// Each coefficient and product carries a relative error of at most u = 2^-53, the D additions likewise, so the
+    /// sum of |n_i x_i| + |c| times (1+u)^(D+3) - 1 < (D+4) u bounds the rounding; the point's error e contributes at
+    /// most e * sum |n_i|. Products that underflow lose at most 2^-1074 each. NaN and infinity fail every comparison.
+    bool distance(std::uint32_t k, const Record& r, double& value, double& bound) const {
+        const auto& n = planes.approximation(k);
+        double s = n[D];
+        double magnitude = std::abs(n[D]);
+        double norm = 0;
+        for (std::size_t i = 0; i < D; ++i) {
+            const double t = n[i] * r.approximation[i];
+            s += t;
+            magnitude += std::abs(t);
+            norm += std::abs(n[i]);
+        }
+        value = s;
+        bound = magnitude * (double(D + 6) * unit) + r.error * norm * (1 + 0x1p-40) + 0x1p-1060;
+        return s > bound || -s > bound;
+    }
+
+    Sign side_of_canonical(std::uint32_t k, PointId p) {
+        ++counts_.sides;
+        const Record& r = points_[p];
+        for (const std::uint32_t through : r.planes)
+            if (through == k) {
+                ++counts_.by_identity;
+                return Sign::zero;
+            }
+        if (r.error == 0 && planes.axis(k) >= 0) {
+            const double at = planes.axis_position(k);
+            const double x = r.approximation[std::size_t(planes.axis(k))];
+            if (at == at) return x < at ? Sign::minus : (x > at ? Sign::plus : Sign::zero);
+        }
+        double value = 0;
+        double bound = 0;
+        if (distance(k, r, value, bound)) return value > 0 ? Sign::plus : Sign::minus;
+        return side_exact(k, p);
+    }
+
+    Sign side_exact(std::uint32_t k, PointId p) {
+        ++counts_.filter_failures;
+        if (!is_tight(points_[p])) {
+            refine(p);
+            double value = 0;
+            double bound = 0;
+            if (distance(k, points_[p], value, bound)) return value > 0 ? Sign::plus : Sign::minus;
+        }
+        ++counts_.exact_tests;
+        const auto& n = planes.exact(k);
+        const Record& r = points_[p];
+        WideInteger sum;
+        if (r.kind == Record::Kind::doubles) {
+            const Exact e = from_doubles(r.approximation);
+            for (std::size_t i = 0; i <= D; ++i) add_product(sum, n[i], e[i]);
+        } else {
+            const Exact& e = exact(p);
+            for (std::size_t i = 0; i <= D; ++i) add_product(sum, n[i], e[i]);
+        }
+        return sum.sign();
+    }
+
+    /// Approximates the crossing of h with the segment ab by X = A + T (B - A), T = |DA| / (|DA| + |DB|).
+    ///
+    /// With |da|, |db| off by at most d, T is off by at most d / (|da| + |db| - 2d); rounding adds 3u to it. X moves by
+    /// |b - a| times that, by at most the larger endpoint error, and by the rounding of three operations.
+    void interpolate(std::uint32_t k, const Record& a, const Record& b, Record& r) const {
+        double da = 0;
+        double db = 0;
+        double ea = 0;
+        double eb = 0;
+        const bool a_certain = distance(k, a, da, ea);
+        const bool b_certain = distance(k, b, db, eb);
+        const double gap = std::abs(da) + std::abs(db);
+        const double slack = 2 * (ea > eb ? ea : eb);
+        if (!a_certain || !b_certain || !(gap > 2 * slack)) {
+            r.error = std::numeric_limits<double>::infinity();
+            r.approximation = a.approximation;
+            return;
+        }
+        const double t = std::abs(da) / gap;
+        const double off = slack / (gap - slack) + 8 * unit;
+        double error = 0;
+        for (std::size_t i = 0; i < D; ++i) {
+            const double d = b.approximation[i] - a.approximation[i];
+            r.approximation[i] = a.approximation[i] + t * d;
+            const double e =
+                std::abs(d) * off + (std::abs(a.approximation[i]) + std::abs(b.approximation[i])) * 0x1p-52;
+            error = e > error ? e : error;
+        }
+        error += a.error > b.error ? a.error : b.error;
+        r.error = error * (1 + 0x1p-40) + 0x1p-1060;
+        if (!(r.error < 0x1p1000)) r.error = std::numeric_limits<double>::infinity();
+    }
+
+    /// Maximal minors with alternating signs, by cofactors: D is at most 3 where residues of meets are asked for often.
+    static std::array<Mod61, D + 1> residue_minors(const std::array<std::array<Mod61, D + 1>, D>& m) {
+        std::array<Mod61, D + 1> v;
+        for (std::size_t skip = 0; skip <= D; ++skip) {
+            std::array<std::size_t, D> columns{};
+            for (std::size_t i = 0, c = 0; c <= D; ++c)
+                if (c != skip) columns[i++] = c;
+            const Mod61 det = residue_determinant(m, columns, 0);
+            v[skip] = skip % 2 == 0 ? det : Mod61(0) - det;
+        }
+        return v;
+    }
+
+    template <std::size_t K>
+    static Mod61 residue_determinant(const std::array<std::array<Mod61, D + 1>, D>& m,
+                                     const std::array<std::size_t, K>& columns, std::size_t row) {
+        if constexpr (K == 1) {
+            return m[row][columns[0]];
+        } else {
+            Mod61 sum(0);
+            for (std::size_t skip = 0; skip < K; ++skip) {
+                std::array<std::size_t, K - 1> rest{};
+                for (std::size_t i = 0, c = 0; c < K; ++c)
+                    if (c != skip) rest[i++] = columns[c];
+                const Mod61 term = m[row][columns[skip]] * residue_determinant(m, rest, row + 1);
+                sum = skip % 2 == 0 ? sum + term : sum - term;
+            }
+            return sum;
+        }
+    }
+
+    static Mod61 residue_of(double x) {
+        const DoubleParts parts = decompose(x);
+        if (parts.mantissa == 0) return Mod61(0);
+        // 2^61 = 1 modulo 2^61-1, so exponents count modulo 61.
+        const auto e = unsigned(((parts.exponent % 61) + 61) % 61);
+        const std::uint64_t m = parts.mantissa < 0 ? std::uint64_t(-parts.mantissa) : std::uint64_t(parts.mantissa);
+        const Mod61 value = Mod61(m) * Mod61(std::uint64_t(1) << e);
+        return parts.mantissa < 0 ? Mod61(0) - value : value;
+    }
+
+    std::vector<Record> points_;
+    std::vector<Exact> exact_;
+    KernelCounts counts_;
+};
+
+CLEAVE_END_NAMESPACE
+
+#endif

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A table of interned planes: primitive integer coefficients, a double approximation for filters, and residues.
+#ifndef CLEAVE_GEOMETRY_PLANE_TABLE_HPP
+#define CLEAVE_GEOMETRY_PLANE_TABLE_HPP
+
+#include <cleave/base/contract.hpp>
+#include <cleave/geometry/handles.hpp>
+#include <cleave/number/double.hpp>
+#include <cleave/number/integer.hpp>
+#include <cleave/number/modular.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+CLEAVE_BEGIN_NAMESPACE
+
+/// Interned planes in dimension D. A plane is stored once, as the primitive integer vector (n, c) whose first non-zero
+/// normal entry is positive; the orientation is a bit of the id. Equal sets have equal ids, so "coplanar" is a
+/// comparison of integers.
+template <int D>
+class PlaneTable {
+public:
+    /// n_1, ..., n_D, c.
+    using Coefficients = std::array<Integer, D + 1>;
+    /// The same, divided by a power of two so that the largest |n_i| lies in [1/2, 1]. Each entry is correctly rounded.
+    using Approximation = std::array<double, D + 1>;
+    using Residues = std::array<Mod61, D + 1>;
+
+    [[nodiscard]] std::size_t size() const noexcept { return exact_.size(); }
+
+    /// The canonical coefficients of the unoriented plane k.
+    [[nodiscard]] const Coefficients& exact(std::uint32_t k) const { return exact_[k]; }
+    /// Entries are NaN where the approximation would not obey the filter's error model (far out of double's range).
+    [[nodiscard]] const Approximation& approximation(std::uint32_t k) const { return approximations_[k]; }
+    /// Residues of the canonical coefficients modulo 2^61-1.
+    [[nodiscard]] const Residues& residues(std::uint32_t k) const { return residues_[k]; }
+    /// The axis that the plane is perpendicular to, or -1.
+    [[nodiscard]] int axis(std::uint32_t k) const { return axes_[k]; }
+    /// For an axis-parallel plane whose position is exactly a double: that position; NaN otherwise.
+    [[nodiscard]] double axis_position(std::uint32_t k) const { return positions_[k]; }
+
+    /// Interns the plane with these coefficients, given up to a non-zero factor; a negative factor reverses it.
+    /// Requires: some normal entry is non-zero. Returns: the oriented id. Cost: D + 1 gcds and a hash look-up.
+    PlaneId intern(Coefficients coefficients) {
+        std::uint32_t orientation = 0;
+        make_primitive(coefficients, orientation);
+        return 2 * intern_canonical(std::move(coefficients), nullptr, 0) + orientation;
+    }
+
+    /// Interns plane k of another table. Cost: a hash look-up, and a copy where it is new.
+    std::uint32_t intern_from(const PlaneTable& other, std::uint32_t k) {
+        return intern_canonical(other.exact_[k], &other, k);
+    }
+
+    /// Interns the axis-parallel plane x_axis = position, facing the positive direction.
+    PlaneId intern_axis_plane(int axis, double position) {
+        const DoubleParts parts = decompose(position);
+        Coefficients c{};
+        const bool fraction = parts.exponent < 0;
+        c[std::size_t(axis)] = Integer::scaled(1, fraction ? unsigned(-parts.exponent) : 0U);
+        c[D] = -Integer::scaled(parts.mantissa, fraction ? 0U : unsigned(parts.exponent));
+        return intern(std::move(c));
+    }
+
+    void reserve(std::size_t n) {
+        exact_.reserve(n);
+        approximations_.reserve(n);
+        residues_.reserve(n);
+        hashes_.reserve(n);
+        axes_.reserve(n);
+        positions_.reserve(n);
+        if (2 * n > slots_.size()) rehash(2 * n);
+    }
+
+    /// The largest bit length among normal entries and among offsets.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> bits() const {
+        std::size_t normal = 0;
+        std::size_t offset = 0;
+        for (const Coefficients& c : exact_) {
+            for (int i = 0; i < D; ++i) normal = std::max<std::size_t>(normal, c[std::size_t(i)].bit_length());
+            offset = std::max<std::size_t>(offset, c[D].bit_length());
+        }
+        return {normal, offset};
+    }
+
+private:
+    static void make_primitive(Coefficients& c, std::uint32_t& orientation) {
+        int first = 0;
+        while (first < D && c[std::size_t(first)].is_zero()) ++first;
+        CLEAVE_REQUIRES(first < D);
+        Integer divisor;
+        for (const Integer& x : c) {
+            if (x.is_zero()) continue;
+            divisor = divisor.is_zero() ? abs(x) : gcd(divisor, x);
+            if (divisor == Integer(1)) break;
+        }
+        if (!(divisor == Integer(1)))
+            for (Integer& x : c)
+                if (!x.is_zero()) x = exact_divide(x, divisor);
+        if (c[std::size_t(first)].sign() == Sign::minus) {
+            orientation = 1;
+            for (Integer& x : c) x = -x;
+        }
+    }
+
+    static std::uint64_t hash(const Residues& r) {
+        std::uint64_t h = 0x9e3779b97f4a7c15ULL;
+        for (const Mod61& x : r) {
+            h ^= x.value() + 0x9e3779b97f4a7c15ULL + (h << 6U) + (h >> 2U);
+            h *= 0xff51afd7ed558ccdULL;
+            h ^= h >> 32U;
+        }
+        return h;
+    }
+
+    std::uint32_t intern_canonical(Coefficients c, const PlaneTable* other, std::uint32_t index) {
+        Residues residues;
+        if (other != nullptr)
+            residues = other->residues_[index];
+        else
+            for (std::size_t i = 0; i <= D; ++i) residues[i] = Mod61(c[i].modulo_61());
+        const std::uint64_t h = other != nullptr ? other->hashes_[index] : hash(residues);
+        if (2 * (exact_.size() + 1) > slots_.size()) rehash(std::max<std::size_t>(64, 4 * exact_.size()));
+        const std::size_t mask = slots_.size() - 1;
+        std::size_t at = std::size_t(h) & mask;
+        for (; slots_[at] != no_id; at = (at + 1) & mask)
+            if (hashes_[slots_[at]] == h && exact_[slots_[at]] == c) return slots_[at];
+        const auto k = static_cast<std::uint32_t>(exact_.size());
+        slots_[at] = k;
+        hashes_.push_back(h);
+        residues_.push_back(residues);
+        if (other != nullptr) {
+            approximations_.push_back(other->approximations_[index]);
+            axes_.push_back(other->axes_[index]);
+            positions_.push_back(other->positions_[index]);
+        } else {
+            approximations_.push_back(approximate(c));
+            axes_.push_back(find_axis(c));
+            positions_.push_back(axes_.back() < 0 ? std::nan("") : exact_position(c, axes_.back()));
+        }
+        exact_.push_back(std::move(c));
+        return k;
+    }
+
+    static Approximation approximate(const Coefficients& c) {
+        std::size_t top = 0;
+        for (std::size_t i = 0; i < D; ++i) top = std::max<std::size_t>(top, c[i].bit_length());
+        Approximation a;
+        bool fits = true;
+        for (std::size_t i = 0; i <= D; ++i) {
+            a[i] = to_double(c[i], -std::int64_t(top));
+            // The filter's model is a relative error of 2^-53 per coefficient: no subnormals, no infinities.
+            if (!c[i].is_zero() && !(std::abs(a[i]) >= 0x1p-900 && std::abs(a[i]) <= 0x1p900)) fits = false;
+        }
+        if (!fits) a.fill(std::nan(""));
+        return a;
+    }
+
+    static int find_axis(const Coefficients& c) {
+        int axis = -1;
+        for (int i = 0; i < D; ++i) {
+            if (c[std::size_t(i)].is_zero()) continue;
+            if (axis >= 0) return -1;
+            axis = i;
+        }
+        return axis;
+    }
+
+    static double exact_position(const Coefficients& c, int axis) {
+        const Integer& n = c[std::size_t(axis)];
+        // Primitive and exactly a double only if the coefficient is a power of two.
+        if (n.trailing_zeros() + 1 != n.bit_length()) return std::nan("");
+        const double x = to_double(-c[D], -std::int64_t(n.bit_length() - 1));
+        if (!std::isfinite(x) || (x != 0 && std::abs(x) < 0x1p-1000)) return std::nan("");
+        return c[D].bit_length() - std::size_t(c[D].is_zero() ? 0 : c[D].trailing_zeros()) <= 53 ? x : std::nan("");
+    }
+
+    void rehash(std::size_t wanted) {
+        std::size_t n = 64;
+        while (n < wanted) n *= 2;
+        slots_.assign(n, no_id);
+        for (std::size_t k = 0; k < hashes_.size(); ++k) {
+            std::size_t at = std::size_t(hashes_[k]) & (n - 1);
+            while (slots_[at] != no_id) at = (at + 1) & (n - 1);
+            slots_[at] = static_cast<std::uint32_t>(k);
+        }
+    }
+
+    std::vector<Coefficients> exact_;
+    std::vector<Approximation> approximations_;
+    std::vector<Residues> residues_;
+    std::vector<std::uint64_t> hashes_;
+    std::vector<int> axes_;
+    std::vector<double> positions_;
+    std::vector<std::uint32_t> slots_;
+};
+
+CLEAVE_END_NAMESPACE
+
+#endif
