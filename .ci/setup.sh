@@ -58,7 +58,7 @@ install_missing() {
 }
 
 need_build_tools() {
-    need_program "$compiler" g++ "a C++20 compiler"
+    need_program "$compiler" "${compiler_package:-g++}" "a C++20 compiler"
     need_program cmake cmake
     need_program "ninja|make" ninja-build
 }
@@ -86,6 +86,7 @@ configure() {
         # What lets ccache keep files that were compiled with a precompiled header.
         export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
     fi
+    [ -z "${CXX:-}" ] || set -- "-DCMAKE_CXX_COMPILER=$CXX" "$@"
     cmake --preset "$preset" "$@"
 }
 

@@ -9,7 +9,10 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 preset=${1:-dev}
-if [ "$preset" = clang ]; then export CXX=${CXX:-clang++}; fi
+if [ "$preset" = clang ]; then
+    CXX=${CXX:-$(command -v clang++-14 || command -v clang++ || echo clang++)}
+    compiler_package=clang
+fi
 source .ci/setup.sh
 
 need_build_tools
