@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Everything in cleave except the opt-in adapters (`cleave/execution/tbb.hpp`).
+/// Everything in cleave except the opt-in adapters: `execution/tbb`, `number/gmp`, `number/boost_cpp`, `number/boost_gmp`.
 #ifndef CLEAVE_HPP
 #define CLEAVE_HPP
 
+#include <cleave/algebra.hpp>
 #include <cleave/base.hpp>
 #include <cleave/execution.hpp>
+#include <cleave/number.hpp>
 
 #endif
