@@ -43,6 +43,7 @@ struct PointRecord {
     /// Index of the exact coordinates, `no_id` while they are not needed (a `doubles` point never needs them).
     std::uint32_t exact = no_id;
     Kind kind = Kind::doubles;
+    bool rounded = true;  ///< whether the approximation is the correctly rounded value of each coordinate
 
 private:
     static constexpr std::array<std::uint32_t, D> filled() {
@@ -105,6 +106,7 @@ public:
     PointId add_meet(const std::array<std::uint32_t, D>& through) {
         Record r;
         r.kind = Record::Kind::meet;
+        r.rounded = false;
         r.planes = through;
         r.error = std::numeric_limits<double>::infinity();
         return push(r);
@@ -134,6 +136,7 @@ public:
     PointId cross(PlaneId h, PointId a, PointId b, const std::array<std::uint32_t, D - 1>& line) {
         Record r;
         r.kind = Record::Kind::meet;
+        r.rounded = false;
         for (std::size_t i = 0; i + 1 < D; ++i) r.planes[i] = line[i];
         r.planes[D - 1] = unoriented(h);
         interpolate(unoriented(h), points_[a], points_[b], r);
@@ -150,10 +153,10 @@ public:
         return exact_[r.exact];
     }
 
-    /// Makes the approximation of p as tight as doubles allow.
+    /// Makes the approximation of p the correctly rounded value of each coordinate (infinite beyond the doubles).
     void refine(PointId p) {
         Record& r = points_[p];
-        if (r.kind == Record::Kind::doubles || is_tight(r)) return;
+        if (r.rounded) return;
         exact(p);
         approximate(points_[p]);
     }
@@ -173,7 +176,7 @@ public:
             if (difference > bound) return Sign::plus;
             if (-difference > bound) return Sign::minus;
             if (attempt == 0) {
-                if (is_tight(a) && is_tight(b)) break;
+                if (a.rounded && b.rounded) break;
                 refine(p);
                 refine(q);
             }
@@ -294,11 +297,6 @@ private:
         return static_cast<std::uint32_t>(exact_.size() - 1);
     }
 
-    static bool is_tight(const Record& r) {
-        return r.error == 0 || (r.exact != no_id && r.error < std::numeric_limits<double>::infinity() &&
-                                r.kind != Record::Kind::doubles && r.error <= tight_error(r));
-    }
-
     static double tight_error(const Record& r) {
         double largest = 0;
         for (double x : r.approximation) largest = std::max(largest, std::abs(x));
@@ -312,6 +310,7 @@ private:
             r.approximation[i] = ratio_to_double(e[i], e[D]);
             finite = finite && std::isfinite(r.approximation[i]);
         }
+        r.rounded = true;
         r.error = finite ? tight_error(r) : std::numeric_limits<double>::infinity();
     }
 
@@ -357,7 +356,7 @@ private:
 
     Sign side_exact(std::uint32_t k, PointId p) {
         ++counts_.filter_failures;
-        if (!is_tight(points_[p])) {
+        if (!points_[p].rounded) {
             refine(p);
             double value = 0;
             double bound = 0;
