@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Meshes: points and polygons, the form in which solids come and go.
+///
+///     polygon_mesh    the mesh itself, with double or rational coordinates
+///     validate        does a mesh bound a set; if not, why and where (mesh_report, mesh_error)
+///     face_shape      flat, without area, not flat; faces in triangles
+///     triangulate     polygon sets with holes into triangles, every vertex used
+///     weld            equal points become one
+///     point_tests     the exact tests behind all of these
+///     edge_balance    the closedness test
+#ifndef CLEAVE_MESH_HPP
+#define CLEAVE_MESH_HPP
+
+#include <cleave/mesh/edge_balance.hpp>
+#include <cleave/mesh/face_shape.hpp>
+#include <cleave/mesh/mesh_error.hpp>
+#include <cleave/mesh/mesh_report.hpp>
+#include <cleave/mesh/point_tests.hpp>
+#include <cleave/mesh/polygon_mesh.hpp>
+#include <cleave/mesh/triangulate.hpp>
+#include <cleave/mesh/validate.hpp>
+#include <cleave/mesh/weld.hpp>
+
+#endif

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+/// `PointTests`: exact tests on the points of a mesh: collinear, coplanar, turns seen along an axis.
+///
+/// Floating point with a proven bound decides first, integers of whatever length are needed decide the rest.
+#ifndef CLEAVE_MESH_POINT_TESTS_HPP
+#define CLEAVE_MESH_POINT_TESTS_HPP
+
+#include <cleave/number/double.hpp>
+#include <cleave/number/filter.hpp>
+#include <cleave/number/rational.hpp>
+#include <cleave/number/traits.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+CLEAVE_BEGIN_NAMESPACE
+
+/// A vector scaled by some positive number that makes it an integer vector; only signs of its products have a meaning.
+using IntegerVector = std::array<WideInteger, 3>;
+
+/// p - origin, scaled. Cost: no allocation while coordinates differ by less than about 1,400 binary orders.
+[[nodiscard]] inline IntegerVector integer_difference(const std::array<double, 3>& p,
+                                                      const std::array<double, 3>& origin) {
+    std::array<DoubleParts, 6> parts;
+    int least = 0;
+    for (std::size_t i = 0; i < 6; ++i) {
+        parts[i] = decompose(i < 3 ? p[i] : origin[i - 3]);
+        if (i == 0 || parts[i].exponent < least) least = parts[i].exponent;
+    }
+    IntegerVector result;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const DoubleParts& a = parts[i];
+        const DoubleParts& b = parts[i + 3];
+        result[i] = WideInteger::scaled(a.mantissa, static_cast<std::size_t>(a.exponent - least));
+        result[i] -= WideInteger::scaled(b.mantissa, static_cast<std::size_t>(b.exponent - least));
+    }
+    return result;
+}
+
+/// The same for exact coordinates: every component over the product of the distinct denominators.
+template <class T>
+[[nodiscard]] IntegerVector integer_difference(const std::array<T, 3>& p, const std::array<T, 3>& origin) {
+    std::array<Fraction, 6> f;
+    for (std::size_t i = 0; i < 6; ++i) f[i] = number_traits<T>::to_fraction(i < 3 ? p[i] : origin[i - 3]);
+    WideInteger common(f[0].den);
+    for (std::size_t i = 1; i < 6; ++i) {
+        if (f[i].den.is_one() || f[i].den == common) continue;
+        common *= exact_divide(WideInteger(f[i].den), gcd(common, f[i].den));
+    }
+    IntegerVector result;
+    for (std::size_t i = 0; i < 3; ++i) {
+        result[i] = exact_divide(common, f[i].den) * f[i].num;
+        result[i] -= exact_divide(common, f[i + 3].den) * f[i + 3].num;
+    }
+    return result;
+}
+
+/// Two coordinates that are kept of three, in the order that makes a turn seen from the plus end of the third axis
+/// positive where it is counter-clockwise.
+struct Projection {
+    std::uint8_t u = 0;
+    std::uint8_t v = 1;
+
+    /// Along axis 0, 1 or 2; reversed is the same seen from the minus end.
+    [[nodiscard]] static constexpr Projection along(unsigned axis, bool reversed = false) noexcept {
+        const auto u = static_cast<std::uint8_t>((axis + 1) % 3);
+        const auto v = static_cast<std::uint8_t>((axis + 2) % 3);
+        return reversed ? Projection{v, u} : Projection{u, v};
+    }
+};
+
+/// Exact tests on points given by index. `T` is double or an exact field. The points must outlive this object and be
+/// finite; const member functions may run in several threads.
+template <class T>
+class PointTests {
+public:
+    using point_type = std::array<T, 3>;
+
+    /// Cost: for exact coordinates, a pass that rounds them; none for doubles.
+    explicit PointTests(std::span<const point_type> points) : points_(points) {
+        if constexpr (!is_double) {
+            rounded_.reserve(points.size());
+            for (const point_type& p : points) rounded_.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
+        }
+    }
+
+    /// The coordinates, correctly rounded where they are not doubles.
+    [[nodiscard]] const std::array<double, 3>& rounded(std::uint32_t i) const {
+        if constexpr (is_double) {
+            return points_[i];
+        } else {
+            return rounded_[i];
+        }
+    }
+
+    /// True where i, j, k lie on one line (any two being equal included).
+    [[nodiscard]] bool collinear(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            if (!filtering::always_fails && approximate_turn(i, j, k, Projection::along(axis))) return false;
+        }
+        const IntegerVector a = integer_difference(points_[j], points_[i]);
+        const IntegerVector b = integer_difference(points_[k], points_[i]);
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            if (exact_turn(a, b, Projection::along(axis)) != Sign::zero) return false;
+        }
+        return true;
+    }
+
+    /// The turn i, j, k in a projection: plus where it is counter-clockwise.
+    [[nodiscard]] Sign turn(std::uint32_t i, std::uint32_t j, std::uint32_t k, Projection projection) const {
+        return filtered_sign([&] { return approximate_turn(i, j, k, projection); },
+                             [&] {
+                                 return exact_turn(integer_difference(points_[j], points_[i]),
+                                                   integer_difference(points_[k], points_[i]), projection);
+                             });
+    }
+
+    /// The order of two points in a projection: by the first coordinate, ties by the second.
+    [[nodiscard]] bool less(std::uint32_t i, std::uint32_t j, Projection projection) const {
+        const point_type& p = points_[i];
+        const point_type& q = points_[j];
+        if (p[projection.u] != q[projection.u]) return p[projection.u] < q[projection.u];
+        return p[projection.v] < q[projection.v];
+    }
+
+    /// The side of l of the plane through i, j, k: plus where i, j, k are counter-clockwise seen from l; zero where the
+    /// four lie on one plane.
+    [[nodiscard]] Sign side(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) const {
+        return filtered_sign([&] { return approximate_side(i, j, k, l); }, [&] { return exact_side(i, j, k, l); });
+    }
+
+    /// An axis along which i, j, k do not look collinear, or nothing where they are collinear.
+    [[nodiscard]] std::optional<unsigned> projectable_axis(std::uint32_t i, std::uint32_t j, std::uint32_t k) const {
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            if (turn(i, j, k, Projection::along(axis)) != Sign::zero) return axis;
+        }
+        return std::nullopt;
+    }
+
+private:
+    static constexpr bool is_double = std::is_same_v<T, double>;
+    static constexpr double unit = 0x1p-53;  // half the gap between 1 and the next double
+
+    /// The larger a point's coordinates, the larger the rounding errors of exact coordinates; zero for doubles.
+    [[nodiscard]] double coordinate_error(std::uint32_t i) const {
+        if constexpr (is_double) {
+            return 0;
+        } else {
+            const auto& p = rounded_[i];
+            return unit * std::max({std::fabs(p[0]), std::fabs(p[1]), std::fabs(p[2])}) + 0x1p-1074;
+        }
+    }
+
+    /// Proof. With e the error of a coordinate (zero for doubles), a computed difference d' of two coordinates is
+    /// within u |d'| + 2 e of the true d, u being `unit`: rounding is the first term, the data the second. So a product
+    /// of two true differences is within (2 u + u^2) |a' b'| + (1 + u) 2 e (|a'| + |b'|) + 4 e^2 of a' b', whose
+    /// rounding adds u |a' b'| + 2^-1075. The sum of two such products is rounded once more. Every term below is at
+    /// least a quarter above its counterpart, which covers the rounding of the bound itself. NaN and infinity fail the
+    /// comparison.
+    [[nodiscard]] std::optional<Sign> approximate_turn(std::uint32_t i, std::uint32_t j, std::uint32_t k,
+                                                       Projection projection) const {
+        const auto &p = rounded(i), &q = rounded(j), &r = rounded(k);
+        const double qu = q[projection.u] - p[projection.u], qv = q[projection.v] - p[projection.v];
+        const double ru = r[projection.u] - p[projection.u], rv = r[projection.v] - p[projection.v];
+        const double left = qu * rv, right = qv * ru;
+        const double det = left - right;
+        double bound = 6 * unit * (std::fabs(left) + std::fabs(right)) + 0x1p-1060;
+        if constexpr (!is_double) {
+            const double e = std::max({coordinate_error(i), coordinate_error(j), coordinate_error(k)});
+            bound += 3 * e * (std::fabs(qu) + std::fabs(qv) + std::fabs(ru) + std::fabs(rv)) + 12 * e * e;
+        }
+        if (det > bound) return Sign::plus;
+        if (-det > bound) return Sign::minus;
+        return std::nullopt;
+    }
+
+    [[nodiscard]] static Sign exact_turn(const IntegerVector& a, const IntegerVector& b, Projection projection) {
+        WideInteger det;
+        add_product(det, a[projection.u], b[projection.v]);
+        sub_product(det, a[projection.v], b[projection.u]);
+        return det.sign();
+    }
+
+    /// Proof. For doubles: each of the three products a (b c - d e) of rounded differences carries three rounded
+    /// differences, two rounded products, one rounded subtraction, one more product, and two sums: at most 9 u, to
+    /// first order, of |a| (|b c| + |d e|). Products that underflow are off by 2^-1075, times a difference where they
+    /// are multiplied once more. Exact coordinates abstain: corners of one face are coplanar as a rule, where no
+    /// approximation can decide.
+    [[nodiscard]] std::optional<Sign> approximate_side(std::uint32_t i, std::uint32_t j, std::uint32_t k,
+                                                       std::uint32_t l) const {
+        if constexpr (!is_double) {
+            return std::nullopt;
+        } else {
+            const auto &p = rounded(i), &q = rounded(j), &r = rounded(k), &s = rounded(l);
+            std::array<double, 3> a, b, c;
+            for (std::size_t x = 0; x < 3; ++x) {
+                a[x] = q[x] - p[x];
+                b[x] = r[x] - p[x];
+                c[x] = s[x] - p[x];
+            }
+            double det = 0, size = 0, longest = 1;
+            for (std::size_t x = 0; x < 3; ++x) {
+                const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
+                const double left = a[y] * b[z], right = a[z] * b[y];
+                det += (left - right) * c[x];
+                size += (std::fabs(left) + std::fabs(right)) * std::fabs(c[x]);
+                longest = std::max(longest, std::fabs(c[x]));
+            }
+            const double bound = 16 * unit * size + 0x1p-1060 * longest;
+            if (det > bound) return Sign::plus;
+            if (-det > bound) return Sign::minus;
+            return std::nullopt;
+        }
+    }
+
+    [[nodiscard]] Sign exact_side(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) const {
+        const auto &p = points_[i], &q = points_[j], &r = points_[k], &s = points_[l];
+        for (std::size_t x = 0; x < 3; ++x) {
+            if (p[x] == q[x] && p[x] == r[x] && p[x] == s[x]) return Sign::zero;  // an axis-parallel face
+        }
+        const IntegerVector a = integer_difference(q, p);
+        const IntegerVector b = integer_difference(r, p);
+        const IntegerVector c = integer_difference(s, p);
+        WideInteger det, minor;
+        for (std::size_t x = 0; x < 3; ++x) {
+            minor = WideInteger();
+            add_product(minor, a[(x + 1) % 3], b[(x + 2) % 3]);
+            sub_product(minor, a[(x + 2) % 3], b[(x + 1) % 3]);
+            add_product(det, minor, c[x]);
+        }
+        return det.sign();
+    }
+
+    std::span<const point_type> points_;
+    std::vector<std::array<double, 3>> rounded_;
+};
+
+CLEAVE_END_NAMESPACE
+
+#endif
