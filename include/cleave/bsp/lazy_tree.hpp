@@ -113,7 +113,7 @@ private:
     };
 
     /// Lists this short are cut by facets; longer ones by structural planes where the model knows a good one.
-    static constexpr std::size_t structural_above = 10;
+    static constexpr std::size_t structural_above = 24;
     static constexpr std::size_t pivot_candidates = 4;
 
     void set_pending(std::uint32_t node, std::vector<Facet> facets) {

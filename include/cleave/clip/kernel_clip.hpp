@@ -41,16 +41,17 @@ struct Bounds {
         }
     }
 
-    /// Includes every position of a point whose coordinates are known up to `error`.
+    /// Includes every position of a point whose coordinates are known up to `error`. The widening by 2^-51 |x| covers
+    /// the rounding of the sums themselves.
     void include(const std::array<double, D>& x, double error) noexcept {
         for (std::size_t i = 0; i < D; ++i) {
-            lo[i] = std::min(lo[i], error == 0 ? x[i] : below(x[i] - error));
-            hi[i] = std::max(hi[i], error == 0 ? x[i] : -below(-(x[i] + error)));
+            const double slack = error == 0 ? 0 : error + std::abs(x[i]) * 0x1p-51 + 0x1p-1060;
+            lo[i] = std::min(lo[i], x[i] - slack);
+            hi[i] = std::max(hi[i], x[i] + slack);
         }
     }
 
 private:
-    static double below(double x) noexcept { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
     static constexpr std::array<double, D> all(double x) {
         std::array<double, D> a{};
         a.fill(x);

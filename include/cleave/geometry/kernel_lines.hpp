@@ -84,26 +84,44 @@ inline PlaneId orient_edge(Kernel<3>& kernel, PlaneId f, PlaneId e, PointId u, P
     return along ? e : flipped(e);
 }
 
-/// A key of the line f /\ e within the plane f, equal for equal lines: the coefficients of the member of the pencil of
-/// planes through the line that lacks one coordinate, modulo 2^61-1. Different lines collide only by chance.
+/// The line f /\ e within the plane f, modulo 2^61-1 and up to a factor: the member of the pencil of planes through the
+/// line that lacks one coordinate. Equal lines have proportional residues; others only by chance.
 template <int D>
-std::uint64_t line_key(const Kernel<D>& kernel, PlaneId f, PlaneId e) {
+std::array<Mod61, D + 1> line_residues(const Kernel<D>& kernel, PlaneId f, PlaneId e) {
     const auto& a = kernel.planes.residues(unoriented(f));
     const auto& b = kernel.planes.residues(unoriented(e));
     std::size_t drop = 0;
-    while (drop < D && a[drop].value() == 0) ++drop;
-    if (drop == D) return 0;
+    while (drop < D && a[drop].is_zero()) ++drop;
+    std::array<Mod61, D + 1> r{};
+    if (drop == D) return r;
+    for (std::size_t i = 0; i <= D; ++i)
+        if (i != drop) r[i] = b[i] * a[drop] - a[i] * b[drop];
+    return r;
+}
+
+/// A hash that is equal for proportional residues. Cost: an inversion, about half a microsecond.
+template <std::size_t K>
+std::uint64_t projective_hash(const std::array<Mod61, K>& r) {
     std::uint64_t key = 0x243f6a8885a308d3ULL;
     Mod61 scale(0);
-    for (std::size_t i = 0; i <= D; ++i) {
-        if (i == drop) continue;
-        const Mod61 c = b[i] * a[drop] - a[i] * b[drop];
-        if (scale.value() == 0 && c.value() != 0) scale = c.inverse();
-        key ^= (c * scale).value() + i;
+    for (const Mod61& x : r) {
+        if (scale.is_zero() && !x.is_zero()) scale = x.inverse();
+        key ^= (x * scale).value();
         key *= 0xff51afd7ed558ccdULL;
         key ^= key >> 29U;
     }
     return key;
+}
+
+/// Whether the residues are proportional. Cheaper than two hashes.
+template <std::size_t K>
+bool proportional(const std::array<Mod61, K>& a, const std::array<Mod61, K>& b) {
+    std::size_t pivot = 0;
+    while (pivot < K && a[pivot].is_zero()) ++pivot;
+    if (pivot == K) return true;  // nothing is known: the exact test decides
+    for (std::size_t i = 0; i < K; ++i)
+        if (!(a[i] * b[pivot] == b[i] * a[pivot])) return false;
+    return true;
 }
 
 CLEAVE_END_NAMESPACE

@@ -5,9 +5,11 @@
 
 #include <cleave/geometry/kernel.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 CLEAVE_BEGIN_NAMESPACE
@@ -23,17 +25,10 @@ public:
     PointId operator()(PointId p) {
         if (p >= representative_.size()) representative_.resize(kernel_->point_count(), no_id);
         if (representative_[p] != no_id) return representative_[p];
-        const std::uint64_t h = hash(p);
-        if (2 * (entries_.size() + 1) > slots_.size()) grow();
-        const std::size_t mask = slots_.size() - 1;
-        std::size_t at = std::size_t(h) & mask;
-        for (; slots_[at] != no_id; at = (at + 1) & mask) {
-            const Entry& e = entries_[slots_[at]];
-            if (e.hash == h && kernel_->same(e.point, p)) return representative_[p] = e.point;
-        }
-        slots_[at] = static_cast<std::uint32_t>(entries_.size());
-        entries_.push_back({h, p});
-        return representative_[p] = p;
+        if (kernel_->point(p).kind != PointRecord<D>::Kind::meet) return representative_[p] = by_place(p);
+        // The two facets at an edge nearly always name a point on it by the same planes: look the name up first.
+        const PointId named = named_like(p);
+        return representative_[p] = named == p ? by_place(p) : representative_[named];
     }
 
 private:
@@ -41,6 +36,57 @@ private:
         std::uint64_t hash;
         PointId point;
     };
+
+    static constexpr std::size_t first_size = 64;
+
+    /// The point interned first under the same planes, in any order; p itself where it is the first.
+    PointId named_like(PointId p) {
+        if (2 * (names_used_ + 1) > names_.size()) grow_names();
+        const std::array<std::uint32_t, D> planes = sorted_planes(p);
+        std::size_t at = name_hash(planes) & (names_.size() - 1);
+        while (names_[at] != no_id && sorted_planes(names_[at]) != planes) at = (at + 1) & (names_.size() - 1);
+        if (names_[at] != no_id) return names_[at];
+        ++names_used_;
+        return names_[at] = p;
+    }
+
+    [[nodiscard]] std::array<std::uint32_t, D> sorted_planes(PointId p) const {
+        std::array<std::uint32_t, D> planes = kernel_->point(p).planes;
+        for (std::size_t i = 1; i < D; ++i)
+            for (std::size_t j = i; j > 0 && planes[j] < planes[j - 1]; --j) std::swap(planes[j], planes[j - 1]);
+        return planes;
+    }
+
+    static std::size_t name_hash(const std::array<std::uint32_t, D>& planes) noexcept {
+        std::uint64_t h = 0x9e3779b97f4a7c15ULL;
+        for (const std::uint32_t k : planes) h = (h ^ k) * 0xff51afd7ed558ccdULL;
+        return std::size_t(h ^ (h >> 32U));
+    }
+
+    void grow_names() {
+        const std::vector<PointId> old = std::move(names_);
+        names_.assign(old.empty() ? first_size : 2 * old.size(), no_id);
+        for (const PointId p : old) {
+            if (p == no_id) continue;
+            std::size_t at = name_hash(sorted_planes(p)) & (names_.size() - 1);
+            while (names_[at] != no_id) at = (at + 1) & (names_.size() - 1);
+            names_[at] = p;
+        }
+    }
+
+    PointId by_place(PointId p) {
+        const std::uint64_t h = hash(p);
+        if (2 * (entries_.size() + 1) > slots_.size()) grow();
+        const std::size_t mask = slots_.size() - 1;
+        std::size_t at = std::size_t(h) & mask;
+        for (; slots_[at] != no_id; at = (at + 1) & mask) {
+            const Entry& e = entries_[slots_[at]];
+            if (e.hash == h && kernel_->same(e.point, p)) return e.point;
+        }
+        slots_[at] = static_cast<std::uint32_t>(entries_.size());
+        entries_.push_back({h, p});
+        return p;
+    }
 
     std::uint64_t hash(PointId p) {
         const auto r = kernel_->residues(p);
@@ -55,7 +101,7 @@ private:
     }
 
     void grow() {
-        slots_.assign(slots_.empty() ? 64 : 2 * slots_.size(), no_id);
+        slots_.assign(slots_.empty() ? first_size : 2 * slots_.size(), no_id);
         for (std::size_t i = 0; i < entries_.size(); ++i) {
             std::size_t at = std::size_t(entries_[i].hash) & (slots_.size() - 1);
             while (slots_[at] != no_id) at = (at + 1) & (slots_.size() - 1);
@@ -67,6 +113,8 @@ private:
     std::vector<PointId> representative_;
     std::vector<Entry> entries_;
     std::vector<std::uint32_t> slots_;
+    std::vector<PointId> names_;
+    std::size_t names_used_ = 0;
 };
 
 CLEAVE_END_NAMESPACE

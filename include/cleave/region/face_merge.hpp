@@ -12,6 +12,7 @@
 #include <cleave/region/boundary.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -194,20 +195,27 @@ private:
         std::uint32_t plane;
         std::uint64_t key;
         std::uint32_t line;
+        std::array<Mod61, D + 1> residues;
     };
+
+    /// Up to this many planes are compared in pairs, more by hashes.
+    static constexpr std::size_t pairs_up_to = 24;
 
     /// Gives each edge plane the number of its line, then sweeps every line into `merged_`.
     void group_by_line() requires(D == 3) {
         merged_.clear();
         keyed_.clear();
-        for (const Edge& e : edges_) keyed_.push_back({unoriented(e.plane), 0, 0});
+        for (const Edge& e : edges_) keyed_.push_back({unoriented(e.plane), 0, unoriented(e.plane), {}});
         std::sort(keyed_.begin(), keyed_.end(),
                   [](const KeyedPlane& a, const KeyedPlane& b) { return a.plane < b.plane; });
         keyed_.erase(std::unique(keyed_.begin(), keyed_.end(),
                                  [](const KeyedPlane& a, const KeyedPlane& b) { return a.plane == b.plane; }),
                      keyed_.end());
-        for (KeyedPlane& k : keyed_) k.key = line_key(*kernel_, plane_, 2 * k.plane);
-        assign_lines();
+        for (KeyedPlane& k : keyed_) k.residues = line_residues(*kernel_, plane_, 2 * k.plane);
+        if (keyed_.size() <= pairs_up_to)
+            assign_lines_by_pairs();
+        else
+            assign_lines_by_hash();
         by_line_.clear();
         for (std::uint32_t i = 0; i < edges_.size(); ++i) by_line_.push_back({line_of(edges_[i].plane), i});
         std::sort(by_line_.begin(), by_line_.end());
@@ -237,7 +245,18 @@ private:
         });
     }
 
-    void assign_lines() requires(D == 3) {
+    void assign_lines_by_pairs() requires(D == 3) {
+        for (std::size_t i = 1; i < keyed_.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (keyed_[j].line == keyed_[j].plane && proportional(keyed_[i].residues, keyed_[j].residues) &&
+                    same_line(keyed_[i].plane, keyed_[j].plane)) {
+                    keyed_[i].line = keyed_[j].plane;
+                    break;
+                }
+    }
+
+    void assign_lines_by_hash() requires(D == 3) {
+        for (KeyedPlane& k : keyed_) k.key = projective_hash(k.residues);
         std::vector<std::uint32_t> order(keyed_.size());
         for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
         std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -245,7 +264,6 @@ private:
         });
         for (std::size_t i = 0; i < order.size(); ++i) {
             KeyedPlane& k = keyed_[order[i]];
-            k.line = k.plane;
             for (std::size_t j = i; j-- > 0 && keyed_[order[j]].key == k.key;) {
                 const KeyedPlane& other = keyed_[order[j]];
                 if (other.line == other.plane && same_line(k.plane, other.plane)) {
