@@ -24,10 +24,6 @@
 
 CLEAVE_BEGIN_NAMESPACE
 
-/// The built-in integers, 128-bit ones included (whether `std::integral` holds for those depends on the language mode).
-template <class T>
-concept BuiltinInteger = std::integral<T> || std::same_as<T, Int128> || std::same_as<T, UInt128>;
-
 /// An integer of any size. Up to `InlineLimbs` 64-bit limbs live inside the object, more on the heap.
 ///
 /// Ring: + - * and unary minus, == and <=>, construction from built-in integers. There is no operator/ because a ring

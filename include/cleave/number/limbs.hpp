@@ -10,6 +10,7 @@
 #include <cleave/base/config.hpp>
 
 #include <bit>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -23,6 +24,10 @@ using Limb = std::uint64_t;
 // The only two places that name the compilers' 128-bit integers.
 __extension__ typedef __int128 Int128;
 __extension__ typedef unsigned __int128 UInt128;
+
+/// The built-in integers, 128-bit ones included (whether `std::integral` holds for those depends on the language mode).
+template <class T>
+concept BuiltinInteger = std::integral<T> || std::same_as<T, Int128> || std::same_as<T, UInt128>;
 
 namespace limbs {
 
