@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # Sourced by the run scripts: finds out what a machine lacks, and installs that and nothing else.
 #
-# need_program <program> <Debian package> [<what for>]   any of several programs: "ninja|make"
-# need_header <header> <Debian package> [<what for>]     likewise; the compiler looks, so any installation counts
+# need_program <program> <Debian package> [<what for>]
+# need_header <header> <Debian package> [<what for>]     any of "a.hpp|b.hpp"; the compiler looks, so any installation
+#                                                        counts
 # install_missing                                        installs, or prints the line that would, and stops
 
 missing_packages=()
@@ -11,12 +12,9 @@ missing_reasons=()
 compiler=${CXX:-c++}
 
 need_program() {
-    local program
-    for program in ${1//|/ }; do
-        if command -v "$program" >/dev/null 2>&1; then return; fi
-    done
+    if command -v "$1" >/dev/null 2>&1; then return; fi
     missing_packages+=("$2")
-    missing_reasons+=("${1//|/ or } (Debian package $2)${3:+: $3}")
+    missing_reasons+=("$1 (Debian package $2)${3:+: $3}")
 }
 
 need_header() {
@@ -60,7 +58,7 @@ install_missing() {
 need_build_tools() {
     need_program "$compiler" "${compiler_package:-g++}" "a C++20 compiler"
     need_program cmake cmake
-    need_program "ninja|make" ninja-build
+    need_program ninja ninja-build
 }
 
 need_library() {
@@ -74,13 +72,10 @@ need_program_libraries() {
     need_header nlohmann/json.hpp nlohmann-json3-dev "the command-line program"
 }
 
-# configure <preset> [<cmake argument>...]: configures the preset with Ninja where there is one.
+# configure <preset> [<cmake argument>...]
 configure() {
     local preset=$1
     shift
-    if [ ! -e "build/$preset/CMakeCache.txt" ] && [ -z "${CMAKE_GENERATOR:-}" ] && command -v ninja >/dev/null 2>&1; then
-        set -- -G Ninja "$@"
-    fi
     if [ -z "${CMAKE_CXX_COMPILER_LAUNCHER:-}" ] && command -v ccache >/dev/null 2>&1; then
         export CMAKE_CXX_COMPILER_LAUNCHER=ccache
         # What lets ccache keep files that were compiled with a precompiled header.

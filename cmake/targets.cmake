@@ -29,11 +29,9 @@ target_compile_definitions(cleave_core INTERFACE CLEAVE_PARTS_CHOSEN)
 
 # cleave_add_part(<name> <library target>): the target cleave::<name> = core + that library.
 function(cleave_add_part name library)
-    string(TOUPPER "${name}" upper)
     add_library(cleave_${name} INTERFACE)
     add_library(cleave::${name} ALIAS cleave_${name})
     target_link_libraries(cleave_${name} INTERFACE cleave_core ${library})
-    target_compile_definitions(cleave_${name} INTERFACE CLEAVE_WITH_${upper})
     set_target_properties(cleave_${name} PROPERTIES EXPORT_NAME ${name})
 endfunction()
 
@@ -41,6 +39,8 @@ set_target_properties(cleave_core PROPERTIES EXPORT_NAME core)
 cleave_add_part(gmp GMP::gmpxx)
 cleave_add_part(boost Boost::headers)
 cleave_add_part(tbb TBB::tbb)
+target_compile_definitions(cleave_gmp INTERFACE CLEAVE_WITH_GMP)
+target_compile_definitions(cleave_boost INTERFACE CLEAVE_WITH_BOOST)
 
 set(cleave_default_parts "")
 if(GMP_FOUND)

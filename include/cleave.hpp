@@ -5,7 +5,11 @@
 
 #include <cleave/algebra.hpp>
 #include <cleave/base.hpp>
+#include <cleave/bsp.hpp>
 #include <cleave/execution.hpp>
+#include <cleave/io.hpp>
+#include <cleave/mesh.hpp>
 #include <cleave/number.hpp>
+#include <cleave/shape.hpp>
 
 #endif

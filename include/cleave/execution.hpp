@@ -3,6 +3,7 @@
 #ifndef CLEAVE_EXECUTION_HPP
 #define CLEAVE_EXECUTION_HPP
 
+#include <cleave/execution/executor.hpp>
 #include <cleave/execution/progress.hpp>
 
 #endif
