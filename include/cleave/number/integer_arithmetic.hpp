@@ -170,6 +170,17 @@ void assign_shifted_left(LimbBuffer<R>& out, LimbView a, std::size_t shift) {
     out.set_size(size, a.negative());
 }
 
+/// out = floor(a / 2^shift) over n limbs, leading zeros included. Requires: shift < 64 n. `out` may be a.
+inline void shift_out(Limb* out, const Limb* a, std::size_t n, std::size_t shift) noexcept {
+    const std::size_t whole = shift / limbs::bits;
+    const unsigned part = static_cast<unsigned>(shift % limbs::bits);
+    if (part != 0)
+        limbs::shift_right(out, a + whole, n - whole, part);
+    else
+        limbs::copy(out, a + whole, n - whole);
+    std::fill(out + (n - whole), out + n, Limb(0));
+}
+
 /// out = a / 2^shift truncated toward zero.
 template <unsigned R>
 void assign_shifted_right(LimbBuffer<R>& out, LimbView a, std::size_t shift) {
