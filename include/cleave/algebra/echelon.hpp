@@ -90,7 +90,7 @@ private:
             R& first = entries_[index(i, column)];
             for (int j = column + 1; j < columns_; ++j) {
                 R& x = entries_[index(i, j)];
-                R next(head * x);
+                R next = product<R>(head, x);
                 sub_product(next, first, entries_[index(k, j)]);
                 if (k == 0) {
                     x = std::move(next);

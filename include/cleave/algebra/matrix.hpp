@@ -101,7 +101,7 @@ requires(A::columns == B::rows && std::same_as<typename A::value_type, typename 
     Matrix<A::rows, B::columns, N> r;
     for (int i = 0; i < A::rows; ++i) {
         for (int j = 0; j < B::columns; ++j) {
-            N sum(a(i, 0) * b(0, j));
+            N sum = product<N>(a(i, 0), b(0, j));
             for (int k = 1; k < A::columns; ++k) add_product(sum, a(i, k), b(k, j));
             r(i, j) = sum;
         }
@@ -116,7 +116,7 @@ template <MatrixLike A>
     using N = typename A::value_type;
     Vector<A::rows, N> r;
     for (int i = 0; i < A::rows; ++i) {
-        N sum(a(i, 0) * v[0]);
+        N sum = product<N>(a(i, 0), v[0]);
         for (int k = 1; k < A::columns; ++k) add_product(sum, a(i, k), v[static_cast<std::size_t>(k)]);
         r[static_cast<std::size_t>(i)] = sum;
     }

@@ -24,7 +24,7 @@ using SumType = std::conditional_t<std::is_void_v<R>, N, R>;
 template <class R = void, class A, class B, std::size_t D>
 [[nodiscard]] SumType<R, A> dot(const std::array<A, D>& a, const std::array<B, D>& b) {
     static_assert(D > 0);
-    SumType<R, A> r(a[0] * b[0]);
+    SumType<R, A> r = product<SumType<R, A>>(a[0], b[0]);
     for (std::size_t i = 1; i < D; ++i) add_product(r, a[i], b[i]);
     return r;
 }
@@ -93,8 +93,8 @@ template <class R = void, ExactRing N, std::size_t D>
     }
     for (std::size_t i = k + 1; i < D; ++i) {
         if (T::sign(a[i]) == Sign::zero) continue;
-        const Wide left(a[k] * b[i]);
-        const Wide right(a[i] * b[k]);
+        const Wide left = product<Wide>(a[k], b[i]);
+        const Wide right = product<Wide>(a[i], b[k]);
         if (!(left == right)) return Sign::zero;
     }
     return direction;

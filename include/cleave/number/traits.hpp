@@ -28,6 +28,7 @@
 /// |-------------------------|--------------------------------------------------------------------------------------|
 /// | `add_product(r, a, b)`  | r += a * b without a temporary number; `algebra/product.hpp` uses it                 |
 /// | `sub_product(r, a, b)`  | r -= a * b likewise                                                                  |
+/// | `product(a, b)`         | a * b as N, also for narrower a and b whose own product would overflow; likewise     |
 /// | `to_text(a)`            | "p/q" or "p" faster than by an `Integer`'s digits; `number/text.hpp` uses it         |
 ///
 /// The semantic demands are in number/concepts.hpp.
