@@ -106,6 +106,11 @@ public:
         }
     }
 
+    /// Adds one edge of a piece. Requires: in the end, the edges of all pieces are closed loops.
+    void add_edge(PointId from, PointId to, PlaneId edge) requires(D == 3) {
+        edges_.push_back({(*points_)(from), (*points_)(to), edge, no_id});
+    }
+
     /// Adds the union of the pieces to `out` as one face, or nothing where it is empty.
     void finish(FaceList& out, Source source) {
         if (edges_.empty()) return;
