@@ -412,7 +412,11 @@ private:
                 const Coordinates<2> ab = subtract(b, a);
                 const Rational t = (ab[0] * w[1] - ab[1] * w[0]) / det;
                 const Rational u = (ab[0] * v[1] - ab[1] * v[0]) / det;
-                if (t <= 0 || u < 0 || u > 1) continue;
+                if (t < 0 || u < 0 || u > 1) continue;
+                if (t == 0) {
+                    if (u == 0 || u == 1) return std::nullopt;  // another part of the face touches the edge in m
+                    continue;                                   // the edge itself
+                }
                 if (!nearest || t < *nearest) nearest = t;
             }
         }
