@@ -43,8 +43,8 @@ public:
         return out_;
     }
 
-    /// Calls `emit(from, to, corner)` for the pieces of loop l's edges in order; `corner` is the index of the boundary's
-    /// corner at which the whole edge starts.
+    /// Calls `emit(from, to, corner)` for the pieces of loop l's edges in order; `corner` is the index of the
+    /// boundary's corner at which the whole edge starts.
     template <class Emit>
     void for_each_edge(std::size_t l, Emit&& emit) const {
         const FaceList& faces = boundary_->faces;
