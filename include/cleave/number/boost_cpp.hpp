@@ -54,7 +54,10 @@ struct number_traits<boost::multiprecision::cpp_rational>
     }
     [[nodiscard]] static cpp_rational from_fraction(const Integer& num, const Integer& den) {
         if (den.is_zero()) throw NumberError("a fraction with denominator zero is not a number");
-        return cpp_rational(cpp_int_limbs::from_integer(num), cpp_int_limbs::from_integer(den));
+        // Some versions of Boost take every negative denominator for one that cannot be negated.
+        const bool negative = den.sign() == Sign::minus;
+        return negative ? cpp_rational(cpp_int_limbs::from_integer(-num), cpp_int_limbs::from_integer(-den))
+                        : cpp_rational(cpp_int_limbs::from_integer(num), cpp_int_limbs::from_integer(den));
     }
 };
 
