@@ -2,6 +2,8 @@
 /// Meshes: points and polygons, the form in which solids come and go.
 ///
 ///     polygon_mesh    the mesh itself, with double or rational coordinates
+///     to_region       the solid that a mesh bounds
+///     from_region     the mesh of a solid, exact or rounded (conform: without T-junctions)
 ///     validate        does a mesh bound a set; if not, why and where (mesh_report, mesh_error)
 ///     face_shape      flat, without area, not flat; faces in triangles
 ///     triangulate     polygon sets with holes into triangles, every vertex used
@@ -11,12 +13,15 @@
 #ifndef CLEAVE_MESH_HPP
 #define CLEAVE_MESH_HPP
 
+#include <cleave/mesh/conform.hpp>
 #include <cleave/mesh/edge_balance.hpp>
 #include <cleave/mesh/face_shape.hpp>
+#include <cleave/mesh/from_region.hpp>
 #include <cleave/mesh/mesh_error.hpp>
 #include <cleave/mesh/mesh_report.hpp>
 #include <cleave/mesh/point_tests.hpp>
 #include <cleave/mesh/polygon_mesh.hpp>
+#include <cleave/mesh/to_region.hpp>
 #include <cleave/mesh/triangulate.hpp>
 #include <cleave/mesh/validate.hpp>
 #include <cleave/mesh/weld.hpp>
