@@ -5,36 +5,20 @@
 #define CLEAVE_QUERY_CONTACTS_HPP
 
 #include <cleave/geometry/box_hierarchy.hpp>
+#include <cleave/geometry/kernel_box.hpp>
 #include <cleave/geometry/kernel_lines.hpp>
 #include <cleave/geometry/point_interner.hpp>
 #include <cleave/query/boundary_edges.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 CLEAVE_BEGIN_NAMESPACE
-
-/// A box of doubles that holds a point of a kernel.
-[[nodiscard]] inline Box<3> box_of(Kernel<3>& kernel, PointId p) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if (!(kernel.point(p).error < infinity)) kernel.refine(p);
-    const PointRecord<3>& r = kernel.point(p);
-    Box<3> box(r.approximation);
-    if (r.error == 0) return box;
-    const bool known = r.error < infinity;
-    for (std::size_t i = 0; i < 3; ++i) {
-        box.lo[i] = known ? std::nextafter(r.approximation[i] - r.error, -infinity) : -infinity;
-        box.hi[i] = known ? std::nextafter(r.approximation[i] + r.error, infinity) : infinity;
-    }
-    return box;
-}
 
 /// Boxes of all faces, with the hierarchy over them.
 class FaceBoxes {

@@ -4,6 +4,8 @@
 #ifndef CLEAVE_REGION_CONFORM_HPP
 #define CLEAVE_REGION_CONFORM_HPP
 
+#include <cleave/geometry/box_hierarchy.hpp>
+#include <cleave/geometry/kernel_box.hpp>
 #include <cleave/geometry/kernel_lines.hpp>
 #include <cleave/region/boundary.hpp>
 
@@ -18,10 +20,12 @@
 
 CLEAVE_BEGIN_NAMESPACE
 
-/// Inserts into the loops of a 3-D boundary all vertices that other edges on the same line have there.
+/// Inserts into the loops of a 3-D boundary all vertices that other edges on the same line have there, and those of the
+/// face itself where its outline touches the middle of one of its edges: the edge would be two edges of two pieces.
 ///
 /// Edges are grouped by line: a key from the residues of their ends modulo 2^61-1 (the same for both directions), and
-/// exactly within a group. On each line the vertices are sorted once.
+/// exactly within a group. On each line the vertices are sorted once. A vertex of another face that touches an edge in
+/// passing stays out: there no edge ends on the line.
 class Conformer {
 public:
     /// `first_point` is where the boundary's points start in the kernel that it was loaded into.
@@ -75,8 +79,10 @@ private:
     void collect() {
         const FaceList& faces = boundary_->faces;
         edges_.reserve(faces.corners.size());
+        touched_.assign(faces.corners.size(), false);
         for (const FaceList::Face& face : faces.faces) {
             const PlaneId f = loaded_->plane(face.plane);
+            const std::size_t first = edges_.size();
             for (std::uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
                 const std::uint32_t begin = faces.loop_first[l];
                 const std::uint32_t end = faces.loop_first[l + 1];
@@ -84,8 +90,45 @@ private:
                     edges_.push_back({faces.corners[c].point, faces.corners[c + 1 == end ? begin : c + 1].point, f,
                                       loaded_->plane(faces.corners[c].edge), c});
             }
+            find_touches(first, edges_.size());
         }
+        std::sort(touches_.begin(), touches_.end());
         inserted_.assign(faces.corners.size(), {0, 0});
+    }
+
+    /// Vertices of one face in the middle of its own edges, given as those from `first` to `last`.
+    void find_touches(std::size_t first, std::size_t last) {
+        if (last - first <= 3) return;
+        const auto find = [&](std::size_t e, PointId p) {
+            const Edge& edge = edges_[e];
+            if (p == edge.from || p == edge.to || !is_between(edge, p)) return;
+            touches_.push_back({static_cast<std::uint32_t>(e), p});
+            touched_[e] = true;
+        };
+        constexpr std::size_t few = 32;
+        if (last - first <= few) {
+            for (std::size_t e = first; e < last; ++e)
+                for (std::size_t v = first; v < last; ++v) find(e, edges_[v].from);
+            return;
+        }
+        std::vector<Box<3>> boxes(last - first);
+        for (std::size_t e = first; e < last; ++e)
+            for (const PointId p : {edges_[e].from, edges_[e].to}) boxes[e - first].extend(box_of_point(p));
+        const BoxHierarchy<3> hierarchy(boxes);
+        for (std::size_t v = first; v < last; ++v)
+            hierarchy.for_each_meeting(box_of_point(edges_[v].from),
+                                       [&](std::size_t e) { find(first + e, edges_[v].from); });
+    }
+
+    [[nodiscard]] Box<3> box_of_point(PointId p) { return box_of(*kernel_, loaded_->first_point + p); }
+
+    /// Whether p, in the edge's face, lies on the edge and is neither of its ends.
+    [[nodiscard]] bool is_between(const Edge& e, PointId p) {
+        const PointId q = loaded_->first_point + p;
+        if (kernel_->side(e.plane, q) != Sign::zero) return false;
+        const AxisDirection d = edge_direction(*kernel_, e.face, e.plane);
+        return kernel_->compare(d.axis, q, loaded_->first_point + e.from) == d.sign &&
+               kernel_->compare(d.axis, loaded_->first_point + e.to, q) == d.sign;
     }
 
     void group() {
@@ -98,7 +141,7 @@ private:
             bool simple = true;
             const std::pair<PointId, PointId> ends = ends_of(keys[i].second);
             for (; j < keys.size() && keys[j].first == keys[i].first; ++j)
-                simple = simple && ends_of(keys[j].second) == ends;
+                simple = simple && !touched_[keys[j].second] && ends_of(keys[j].second) == ends;
             if (!simple) {
                 rest.clear();
                 for (std::size_t k = i; k < j; ++k) rest.push_back(keys[k].second);
@@ -178,6 +221,10 @@ private:
         for (const std::uint32_t i : line) {
             points.push_back(edges_[i].from);
             points.push_back(edges_[i].to);
+            if (!touched_[i]) continue;
+            for (auto t = std::lower_bound(touches_.begin(), touches_.end(), std::pair(i, PointId(0)));
+                 t != touches_.end() && t->first == i; ++t)
+                points.push_back(t->second);
         }
         std::sort(points.begin(), points.end());
         points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -200,6 +247,8 @@ private:
     const Boundary<3>* boundary_;
     const LoadedBoundary<3>* loaded_;
     std::vector<Edge> edges_;
+    std::vector<bool> touched_;                                      // per edge: whether `touches_` has it
+    std::vector<std::pair<std::uint32_t, PointId>> touches_;         // edge, vertex in its middle
     std::vector<std::pair<std::uint32_t, std::uint32_t>> inserted_;  // per corner: range of extra_
     std::vector<PointId> extra_, out_;
 };
