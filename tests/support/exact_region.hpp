@@ -37,6 +37,11 @@ using Coordinates = std::array<Rational, std::size_t(D)>;
     return x > 0 ? 1 : (x < 0 ? -1 : 0);
 }
 
+/// The sign of a - b.
+[[nodiscard]] inline int compare(const Rational& a, const Rational& b) {
+    return a < b ? -1 : (b < a ? 1 : 0);
+}
+
 template <std::size_t K>
 [[nodiscard]] Rational dot(const std::array<Rational, K>& a, const std::array<Rational, K>& b) {
     Rational sum(0);
@@ -122,13 +127,15 @@ struct ExactFace {
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const Coordinates<2>& a = loop[i];
             const Coordinates<2>& b = loop[i + 1 == loop.size() ? 0 : i + 1];
+            const int low = compare(a[1], p[1]);
+            const int high = compare(b[1], p[1]);
+            if (low * high > 0) continue;              // above or below
+            if (a[0] < p[0] && b[0] < p[0]) continue;  // to the left
             const Rational left = (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
             const int side = sign(left);
-            if (side == 0 && std::min(a[0], b[0]) <= p[0] && p[0] <= std::max(a[0], b[0]) &&
-                std::min(a[1], b[1]) <= p[1] && p[1] <= std::max(a[1], b[1]))
-                return std::nullopt;
-            if (a[1] <= p[1] && p[1] < b[1] && side > 0) ++turns;
-            if (b[1] <= p[1] && p[1] < a[1] && side < 0) --turns;
+            if (side == 0 && (low != 0 || high != 0 || a[0] <= p[0] || b[0] <= p[0])) return std::nullopt;
+            if (low <= 0 && high > 0 && side > 0) ++turns;
+            if (high <= 0 && low > 0 && side < 0) --turns;
         }
     }
     return turns;
@@ -335,8 +342,8 @@ private:
             if (distance == 0) return std::nullopt;
             return 0;
         }
+        if (sign(speed) * sign(distance) > 0) return 0;
         const Rational t = -distance / speed;
-        if (t < 0) return 0;
         const Point q = along(p, t, d);
         const int direction = sign(speed);
         bool through = false;

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Operations on sets of grid cells against the same operations on words: every cell, the cells around, the measure.
+#include <cleave/setop/operators.hpp>
+
+#include "support/grid_oracle.hpp"
+#include "support/region_generators.hpp"
+
+#include <cstdint>
+#include <vector>
+
+using namespace cleave;
+using namespace support;
+
+namespace {
+
+/// Random cells, each in the set with probability one half or so.
+template <int D, int S>
+rc::Gen<Cells<D, S>> cells() {
+    return rc::gen::map(rc::gen::container<std::vector<bool>>(Cells<D, S>::count, rc::gen::arbitrary<bool>()),
+                        [](const std::vector<bool>& drawn) {
+                            Cells<D, S> c;
+                            for (std::size_t i = 0; i < drawn.size(); ++i) c.bits[i] = drawn[i];
+                            return c;
+                        });
+}
+
+rc::Gen<GridStyle> style() {
+    return rc::gen::map(rc::gen::tuple(rc::gen::arbitrary<bool>(), rc::gen::arbitrary<bool>(),
+                                       rc::gen::arbitrary<bool>(), rc::gen::arbitrary<bool>()),
+                        [](const std::tuple<bool, bool, bool, bool>& drawn) {
+                            const auto [fraction, join, straighten, triangles] = drawn;
+                            return GridStyle{fraction ? Rational(1) / 3 : Rational(1), join, straighten, triangles};
+                        });
+}
+
+template <int D, int S>
+typename Cells<D, S>::Bits expected(Operation operation, const Cells<D, S>& a, const Cells<D, S>& b) {
+    typename Cells<D, S>::Bits out;
+    for (std::size_t i = 0; i < Cells<D, S>::count; ++i) out[i] = apply(operation, bool(a.bits[i]), bool(b.bits[i]));
+    return out;
+}
+
+template <int D, int S>
+void check_pair(GridStyle first_style, GridStyle second_style, const Cells<D, S>& a, const Cells<D, S>& b) {
+    second_style.unit = first_style.unit;
+    const Region<D> ra = verified(a.region(first_style));
+    const Region<D> rb = verified(b.region(second_style));
+    a.verify(ra, first_style);
+    for (const Operation operation : all_operations) {
+        const Cells<D, S> truth{expected(operation, a, b)};
+        const Region<D> result = checked(operation, ra, rb);
+        truth.verify(result, first_style);
+        RC_ASSERT(result.is_empty() == truth.bits.none());
+        // With a complement as operand the result of an operation is that of another, or its complement.
+        const Cells<D, S> without{expected(Operation::difference, b, a)};
+        if (operation == Operation::intersection) without.verify(checked(operation, Region<D>(~ra), rb), first_style);
+        if (operation == Operation::difference)
+            truth.verify(checked(Operation::union_, Region<D>(~ra), rb), first_style, true);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("grid oracle: intervals") {
+    law("all operations on cells of the line", 200,
+        [] { check_pair<1, 9>(*style(), *style(), *cells<1, 9>(), *cells<1, 9>()); });
+}
+
+TEST_CASE("grid oracle: rectilinear polygons that touch themselves in vertices") {
+    law("all operations on cells of the plane", 60,
+        [] { check_pair<2, 5>(*style(), *style(), *cells<2, 5>(), *cells<2, 5>()); });
+}
+
+TEST_CASE("grid oracle: rectilinear polyhedra that touch themselves in vertices and edges") {
+    law("all operations on cells of space", 12,
+        [] { check_pair<3, 3>(*style(), *style(), *cells<3, 3>(), *cells<3, 3>()); });
+}
+
+TEST_CASE("grid oracle: results are operands") {
+    law("a chain of operations in the plane", 10, [] {
+        Cells<2, 5> truth = *cells<2, 5>();
+        Region<2> region = truth.region();
+        for (int step = 0; step < 20; ++step) {
+            const Cells<2, 5> tool = *cells<2, 5>();
+            const Operation operation = *rc::gen::elementOf(all_operations);
+            truth.bits = expected(operation, truth, tool);
+            region = checked(operation, region, tool.region());
+            truth.verify(region, {});
+        }
+    });
+    law("a chain of operations in space", 3, [] {
+        Cells<3, 3> truth = *cells<3, 3>();
+        Region<3> region = truth.region();
+        for (int step = 0; step < 10; ++step) {
+            const Cells<3, 3> tool = *cells<3, 3>();
+            const Operation operation = *rc::gen::elementOf(all_operations);
+            truth.bits = expected(operation, truth, tool);
+            region = checked(operation, region, tool.region());
+            truth.verify(region, {});
+        }
+    });
+}
