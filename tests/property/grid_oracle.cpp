@@ -67,12 +67,12 @@ TEST_CASE("grid oracle: intervals") {
 }
 
 TEST_CASE("grid oracle: rectilinear polygons that touch themselves in vertices") {
-    law("all operations on cells of the plane", 60,
+    law("all operations on cells of the plane", 40,
         [] { check_pair<2, 5>(*style(), *style(), *cells<2, 5>(), *cells<2, 5>()); });
 }
 
 TEST_CASE("grid oracle: rectilinear polyhedra that touch themselves in vertices and edges") {
-    law("all operations on cells of space", 12,
+    law("all operations on cells of space", 10,
         [] { check_pair<3, 3>(*style(), *style(), *cells<3, 3>(), *cells<3, 3>()); });
 }
 

@@ -11,6 +11,7 @@
 #include <cleave/shape/box.hpp>
 #include <cleave/shape/simplex.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <ostream>
@@ -21,13 +22,16 @@
 
 namespace support {
 
-/// Checks a property like `rc::prop`, with its own number of cases: `cases` scaled by CLEAVE_TEST_SCALE, unless
-/// RC_PARAMS names a number.
+/// Checks a property like `rc::prop`, with its own number of cases instead of rapidcheck's 100: as many per cent of
+/// `cases` as RC_PARAMS' max_success says or, where it says nothing, CLEAVE_TEST_SCALE.
 template <class Testable>
 void law(const std::string& description, std::size_t cases, Testable&& testable) {
     SECTION(description) {
         rc::detail::TestParams parameters = rc::detail::configuration().testParams;
-        if (parameters.maxSuccess == rc::detail::TestParams().maxSuccess) parameters.maxSuccess = int(scaled(cases));
+        const int usual = rc::detail::TestParams().maxSuccess;
+        parameters.maxSuccess = parameters.maxSuccess == usual
+                                    ? int(scaled(cases))
+                                    : std::max(1, int(cases) * parameters.maxSuccess / usual);
         const auto result = rc::detail::checkTestable(std::forward<Testable>(testable),
                                                       rc::detail::TestMetadata{description, description}, parameters);
         std::ostringstream report;
