@@ -108,7 +108,7 @@ private:
 
 /// The image of one oriented plane. Requires: the map is not singular.
 template <int D, ExactRing N>
-[[nodiscard]] Plane<D, N> apply(const AffineMap<D, N>& map, const Plane<D, N>& h) {
+[[nodiscard]] Plane<D, N> image(const AffineMap<D, N>& map, const Plane<D, N>& h) {
     return PlaneMap<D, N>(map)(h);
 }
 

@@ -36,8 +36,8 @@ TEMPLATE_LIST_TEST_CASE("affine map: a reflection is known by its determinant, a
     CHECK(scaling<N>(-1, -1, 0).orientation() == Sign::zero);
     CHECK(rational_rotation<3, N>(0, 2, 5, 3).orientation() == Sign::plus);
     const Plane<2, N> h = make_plane<N>(1, 0, -1);
-    CHECK(apply(scaling<N>(-1, 1), h) == make_plane<N>(-1, 0, -1));
-    CHECK(apply(translation<N>(2.5, 7), h) == make_plane<N>(1, 0, -3.5));
+    CHECK(image(scaling<N>(-1, 1), h) == make_plane<N>(-1, 0, -1));
+    CHECK(image(translation<N>(2.5, 7), h) == make_plane<N>(1, 0, -3.5));
     CHECK_FALSE(inverse(scaling<N>(1, 0)).has_value());
     CHECK_THROWS_AS((PlaneMap<2, N>(scaling<N>(1, 0))), ContractViolation);
 }
@@ -74,8 +74,8 @@ void check_maps() {
     });
     rc::prop("planes keep their sides, in reflections too", [](const Map& a, const H& h, const P& p) {
         RC_PRE(a.orientation() != Sign::zero);
-        RC_ASSERT(side(apply(a, h), a(p)) == side(h, p));
-        RC_ASSERT(apply(a, flip(h)) == flip(apply(a, h)));
+        RC_ASSERT(side(image(a, h), a(p)) == side(h, p));
+        RC_ASSERT(image(a, flip(h)) == flip(image(a, h)));
     });
     rc::prop("the join of images is the image of the join, turned round by a reflection",
              [](const Map& a, const std::array<P, std::size_t(D)>& points) {
@@ -84,8 +84,8 @@ void check_maps() {
                  RC_PRE(h.has_value());
                  std::array<P, std::size_t(D)> images;
                  for (std::size_t i = 0; i < points.size(); ++i) images[i] = a(points[i]);
-                 const H image = apply(a, *h);
-                 RC_ASSERT(join(images) == (a.orientation() == Sign::plus || D == 1 ? image : flip(image)));
+                 const H expected = image(a, *h);
+                 RC_ASSERT(join(images) == (a.orientation() == Sign::plus || D == 1 ? expected : flip(expected)));
              });
 }
 
