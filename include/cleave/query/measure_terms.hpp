@@ -7,6 +7,7 @@
 #include <cleave/region/boundary.hpp>
 #include <cleave/region/build.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -14,17 +15,41 @@
 
 CLEAVE_BEGIN_NAMESPACE
 
+namespace detail {
+
+/// The tetrahedra over the origin whose bases fan out from a loop's first corner.
+template <class At, class Term>
+void fan_terms(std::span<const Corner> loop, const At& at, Term& term) {
+    if (loop.size() < 3) return;
+    const Homogeneous<3> p = at(loop[0]);
+    Homogeneous<3> q = at(loop[1]);
+    for (std::size_t corner = 2; corner < loop.size(); ++corner) {
+        Homogeneous<3> r = at(loop[corner]);
+        Integer det;
+        for (std::size_t i = 0; i < 3; ++i) {
+            Integer minor(q[(i + 1) % 3] * r[(i + 2) % 3]);
+            sub_product(minor, q[(i + 2) % 3], r[(i + 1) % 3]);
+            add_product(det, p[i], minor);
+        }
+        if (!det.is_zero()) term(det, Integer(p[3] * q[3] * r[3] * Integer(6)));
+        q = std::move(r);
+    }
+}
+
+}  // namespace detail
+
 /// Calls `term(numerator, denominator)` with fractions whose sum is the D-dimensional measure. Denominators are
 /// positive or negative, never zero; fractions are not reduced.
 ///
 /// D = 1: the coordinate of each end, plus at upper ends. D = 2: (x_p y_q - y_p x_q) / 2 for each segment pq. D = 3,
 /// for a face on n.x + c = 0 with n_k != 0: its height over the origin times its area is -c / n_k times its area
 /// projected along axis k, which is the sum over its edges pq of (u_p v_q - v_p u_q) / 2; a third of that is its
-/// pyramid.
+/// pyramid. A loop whose corners are all doubles is summed up as tetrahedra with the origin instead, det(p, q, r) / 6,
+/// whose denominators are powers of two but for a 3: untouched parts of a mesh then cost next to nothing.
 template <int D, class Term>
 void measure_terms(Kernel<D>& kernel, const Boundary<D>& boundary, const LoadedBoundary<D>& loaded, Term&& term) {
     const FaceList& list = boundary.faces;
-    const auto at = [&](const Corner& c) { return kernel.coordinates(loaded.first_point + c.point); };
+    const auto at = [&](const Corner& corner) { return kernel.coordinates(loaded.first_point + corner.point); };
     for (const FaceList::Face& face : list.faces) {
         const PlaneId plane = loaded.plane(face.plane);
         if constexpr (D == 1) {
@@ -49,6 +74,13 @@ void measure_terms(Kernel<D>& kernel, const Boundary<D>& boundary, const LoadedB
             const Integer six_n = Integer(6) * n[k];
             for (std::uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
                 const std::span<const Corner> loop = list.loop(l);
+                const bool doubles = std::all_of(loop.begin(), loop.end(), [&](const Corner& corner) {
+                    return kernel.point(loaded.first_point + corner.point).kind == PointRecord<3>::Kind::doubles;
+                });
+                if (doubles) {
+                    detail::fan_terms(loop, at, term);
+                    continue;
+                }
                 Homogeneous<3> p = at(loop.back());
                 for (const Corner& corner : loop) {
                     Homogeneous<3> q = at(corner);
