@@ -23,14 +23,26 @@ CLEAVE_BEGIN_NAMESPACE
 /// The orientation is read off the normals alone: the offsets have their own signs (x = 1 and x = -1 with equal normals
 /// are parallel, not antiparallel), and they say nothing about planes that are not parallel (x = 0 and y = 0 have equal
 /// offsets). In D = 1 all planes are parallel.
-/// Cost: at most 2 D products; mostly signs alone decide.
+/// Cost: at most 4 D products; mostly signs alone decide.
 template <class R = void, int D, ExactRing N>
 [[nodiscard]] PlaneRelation relation(const Plane<D, N>& h, const Plane<D, N>& g) {
-    const Sign direction = proportionality<R>(h.normal(), g.normal());
-    if (direction == Sign::zero) return PlaneRelation::crossing;
-    const bool coincident = proportionality<R>(h.coefficients(), g.coefficients()) == direction;
-    if (direction == Sign::plus) return coincident ? PlaneRelation::same : PlaneRelation::parallel;
-    return coincident ? PlaneRelation::opposite : PlaneRelation::antiparallel;
+    using T = number_traits<N>;
+    switch (proportionality<R>(h.coefficients(), g.coefficients())) {
+        case Sign::plus:
+            return PlaneRelation::same;
+        case Sign::minus:
+            return PlaneRelation::opposite;
+        case Sign::zero:
+            break;
+    }
+    // Signs of the normals are looked at before the normals are copied.
+    const std::size_t k = first_nonzero(h.coefficients());
+    const Sign direction = T::sign(h[k]) * T::sign(g[k]);
+    for (std::size_t i = 0; i < std::size_t(D); ++i) {
+        if (T::sign(g[i]) != T::sign(h[i]) * direction) return PlaneRelation::crossing;
+    }
+    if (proportionality<R>(h.normal(), g.normal()) == Sign::zero) return PlaneRelation::crossing;
+    return direction == Sign::plus ? PlaneRelation::parallel : PlaneRelation::antiparallel;
 }
 
 CLEAVE_END_NAMESPACE
