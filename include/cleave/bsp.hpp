@@ -9,6 +9,7 @@
 /// | `bsp/pivot.hpp`       | which plane cuts next: first, fewest splits, balanced, structural           |
 /// | `bsp/facet_tree.hpp`  | a tree that keeps the facets in its cuts                                    |
 /// | `bsp/build.hpp`       | from facets to a tree                                                       |
+/// | `bsp/lazy_tree.hpp`   | a tree that is built only where something reaches it                        |
 /// | `bsp/classify.hpp`    | where a point lies                                                          |
 /// | `bsp/complement.hpp`  | new labels, and the complement                                              |
 /// | `bsp/collapse.hpp`    | superfluous cuts dropped                                                    |
@@ -20,12 +21,14 @@
 #ifndef CLEAVE_BSP_HPP
 #define CLEAVE_BSP_HPP
 
+#include <cleave/bsp/bsp_tree.hpp>
 #include <cleave/bsp/build.hpp>
 #include <cleave/bsp/classify.hpp>
 #include <cleave/bsp/collapse.hpp>
 #include <cleave/bsp/complement.hpp>
 #include <cleave/bsp/facet_tree.hpp>
 #include <cleave/bsp/invariant.hpp>
+#include <cleave/bsp/lazy_tree.hpp>
 #include <cleave/bsp/pivot.hpp>
 #include <cleave/bsp/statistics.hpp>
 #include <cleave/bsp/tree.hpp>

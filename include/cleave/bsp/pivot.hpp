@@ -11,7 +11,7 @@
 /// | `FirstFacet`                     | n                 | depth n                 | tests, tiny inputs              |
 /// | `FewestSplits{k}`                | k n               | depth n                 | small trees for merging         |
 /// | `Balanced{k, weight}`            | k n               | depth n                 | general input, point location   |
-/// | `Structural{leaf_size, fallback}`| n, or 2n + fall-back | depth O(log n)       | many facets, convex pieces      |
+/// | `Structural{leaf_size, fallback}`| n, seldom more    | depth O(log n)          | many facets, convex pieces      |
 ///
 /// No pivot that uses facet planes alone can balance a convex body: every facet lies inside every other's plane.
 #ifndef CLEAVE_BSP_PIVOT_HPP
@@ -25,6 +25,7 @@
 #include <concepts>
 #include <cstddef>
 #include <optional>
+#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
@@ -156,16 +157,30 @@ struct Balanced {
     }
 };
 
-/// While more than `leaf_size` facets remain, the cut that the model proposes (an axis-parallel plane through a median,
-/// say), be there facets in it or not; otherwise, and where the proposal does not divide, the fall-back's choice.
+/// A model that can turn a plane about a line: `m.planes_through(g, h)` are some planes through the line in which g and
+/// h meet, none of them g or h (`clip/pencil.hpp` has them parallel to the axes); none where g and h are parallel.
+template <class M>
+concept TurningClip = Clip<M> && requires(M& m, const typename M::plane_type& h) {
+    { m.planes_through(h, h) } -> std::ranges::input_range;
+    requires std::convertible_to < std::ranges::range_value_t<decltype(m.planes_through(h, h))>,
+    typename M::plane_type > ;
+};
+
+/// While more than `leaf_size` facets remain, a plane that halves them, be there facets in it or not; the fall-back's
+/// choice where there is none, and at the end. Two kinds of planes are tried:
 ///
-/// A proposal that sends m and p of n facets to its sides is accepted if m^2 + p^2 < n^2. So the pieces never number
-/// more than n^2, however the facets lie: a bundle of long slivers that every proposal would split is left to the
-/// fall-back.
+/// 1. what the model proposes (an axis-parallel plane through a median, say);
+/// 2. if that does not divide, for `turns` facets spread over the list the planes through their ridges that the model
+///    can name (`TurningClip`). They divide what axis-parallel planes cannot: the facets round the apex of a cone.
+///
+/// A plane that sends m and p of n facets to its sides divides if 8 (m^2 + p^2) <= 7 n^2. Hence at most
+/// log(n) / log(sqrt(8/7)), about 10 log2(n), such cuts lie above each other, and all pieces together are fewer than
+/// n^2, however the facets lie: a bundle of long slivers that every proposal would split is left to the fall-back.
 template <class Fallback = FewestSplits>
 struct Structural {
     std::size_t leaf_size = 12;
     Fallback fallback = {};
+    std::size_t turns = 8;
 
     template <ProposingClip M>
     requires PivotFor<const Fallback, M>
@@ -175,13 +190,46 @@ struct Structural {
             std::optional<typename M::plane_type> h = model.propose(facets);
             if (h) {
                 find_sides(model, *h, facets, sides);
-                const std::size_t minus = sides.counts.to_minus();
-                const std::size_t plus = sides.counts.to_plus();
-                if (minus * minus + plus * plus < facets.size() * facets.size()) return *std::move(h);
-                sides.clear();
+                if (8 * pieces_squared(sides.counts) <= 7 * facets.size() * facets.size()) return *std::move(h);
             }
+            if constexpr (TurningClip<M>) {
+                h = best_turn(model, facets, sides);
+                if (h) return *std::move(h);
+            }
+            sides.clear();
         }
         return fallback(model, facets, sides);
+    }
+
+private:
+    [[nodiscard]] static std::size_t pieces_squared(const SideCounts& c) {
+        return c.to_minus() * c.to_minus() + c.to_plus() * c.to_plus();
+    }
+
+    /// The plane through a ridge with the least m^2 + p^2, if it divides; a quarter to three quarters without splits is
+    /// good enough to end the search.
+    template <TurningClip M>
+    [[nodiscard]] std::optional<typename M::plane_type> best_turn(M& model,
+                                                                  std::span<const typename M::facet_type> facets,
+                                                                  FacetSides& sides) const {
+        const std::size_t n = facets.size();
+        std::optional<typename M::plane_type> best;
+        std::size_t best_cost = 7 * n * n + 1;
+        FacetSides trial;
+        for (std::size_t i = 0; i < turns && best_cost > 5 * n * n; ++i) {
+            const typename M::facet_type& f = facets[i * n / turns];
+            for (const typename M::plane_type& ridge : model.ridges(f)) {
+                for (const typename M::plane_type& h : model.planes_through(model.plane_of(f), ridge)) {
+                    find_sides(model, h, facets, trial);
+                    const std::size_t cost = 8 * pieces_squared(trial.counts);
+                    if (cost >= best_cost) continue;
+                    best = h;
+                    best_cost = cost;
+                    std::swap(sides, trial);
+                }
+            }
+        }
+        return best;
     }
 };
 
