@@ -7,11 +7,12 @@
 #define CLEAVE_NUMBER_INTEGER_ARITHMETIC_HPP
 
 #include <cleave/number/limbs_buffer.hpp>
+#include <cleave/number/limbs_product.hpp>
 
 #include <algorithm>
 #include <compare>
 #include <cstddef>
-#include <memory>
+#include <cstdint>
 #include <utility>
 
 CLEAVE_BEGIN_NAMESPACE
@@ -31,113 +32,186 @@ inline constexpr std::size_t scratch_limbs = 64;
     return (a.negative() ? -magnitudes : magnitudes) <=> 0;
 }
 
-/// out = (|a| + |b|) with the sign `negative`. Requires: |a| has at least as many limbs as |b|.
-template <unsigned R>
-void assign_magnitude_sum(LimbBuffer<R>& out, LimbView a, LimbView b, bool negative) {
-    const std::size_t n = a.count();
-    if (out.capacity() < n) {  // then `out` is not a, and growing it in place could lose b
-        LimbBuffer<R> fresh(n + 1);
-        assign_magnitude_sum(fresh, a, b, negative);
-        out = std::move(fresh);
-        return;
-    }
-    const Limb carry = limbs::add(out.data(), a.limbs, n, b.limbs, b.count());
-    if (carry == 0) {
-        out.set_size(n, negative);
-    } else {
-        out.reserve(n + 1, n);
-        out.data()[n] = carry;
-        out.set_size(n + 1, negative);
-    }
+/// Whether a number has at most two limbs: the case that is computed in registers.
+[[nodiscard]] inline bool is_short(LimbView a) noexcept {
+    return a.size >= -2 && a.size <= 2;
 }
 
-/// out = (|a| - |b|) with the sign `negative`. Requires: |a| >= |b|.
+/// The magnitude of a short number.
+[[nodiscard]] inline UInt128 short_magnitude(LimbView a) noexcept {
+    if (a.size == 0) return 0;
+    const UInt128 low = a.limbs[0];
+    return a.count() == 2 ? low | (UInt128(a.limbs[1]) << limbs::bits) : low;
+}
+
+/// out = x + y for magnitudes of 128 bits and their signs.
+///
+/// Signs of determinants are coin tosses, so neither the signs nor the comparison is a branch: y is complemented where
+/// the signs differ, and the sum where it comes out negative.
 template <unsigned R>
-void assign_magnitude_difference(LimbBuffer<R>& out, LimbView a, LimbView b, bool negative) {
-    const std::size_t n = a.count();
-    if (out.capacity() < n) {
-        LimbBuffer<R> fresh(n);
-        assign_magnitude_difference(fresh, a, b, negative);
-        out = std::move(fresh);
+void assign_short_sum(LimbBuffer<R>& out, UInt128 x, bool x_negative, UInt128 y, bool y_negative) {
+    const UInt128 opposite = UInt128(0) - UInt128(x_negative != y_negative ? 1 : 0);
+    UInt128 sum = x + ((y ^ opposite) - opposite);
+    const Limb carry = opposite == 0 && sum < x ? 1 : 0;
+    const UInt128 negative = opposite & (UInt128(0) - UInt128(x < y ? 1 : 0));
+    sum = (sum ^ negative) - negative;
+    if (R < 3 && carry != 0) out.reserve(3, 0);
+    Limb* to = out.data();
+    to[0] = static_cast<Limb>(sum);
+    to[1] = static_cast<Limb>(sum >> limbs::bits);
+    if (R >= 3 || carry != 0) to[2] = carry;
+    const std::size_t size = carry != 0 ? 3U : (to[1] != 0 ? 2U : (to[0] != 0 ? 1U : 0U));
+    out.set_size(size, x_negative != (negative != 0));
+}
+
+/// out = a + b, where `out` has one limb more than the longer of both and may be a or b. Returns: the signed size.
+/// Requires: neither is zero. Branchless in the signs, as above.
+inline std::int32_t add_into(Limb* out, LimbView a, LimbView b) noexcept {
+    // The larger magnitude first; usually its size or its top limb tells, and the choice compiles to conditional moves.
+    const bool less = a.count() != b.count() ? a.count() < b.count() : limbs::compare(a.limbs, b.limbs, a.count()) < 0;
+    const LimbView x = less ? b : a;
+    const LimbView y = less ? a : b;
+    const std::size_t n = x.count();
+    const std::size_t m = y.count();
+    const Limb opposite = a.negative() != b.negative() ? ~Limb(0) : 0;
+    auto carry = static_cast<unsigned char>(opposite & 1);
+    std::size_t i = 0;
+    for (; i + 4 <= m; i += 4) {  // four at a time keep the carry in the processor's flag
+        const Limb s0 = limbs::add_carry(x.limbs[i], y.limbs[i] ^ opposite, carry);
+        const Limb s1 = limbs::add_carry(x.limbs[i + 1], y.limbs[i + 1] ^ opposite, carry);
+        const Limb s2 = limbs::add_carry(x.limbs[i + 2], y.limbs[i + 2] ^ opposite, carry);
+        const Limb s3 = limbs::add_carry(x.limbs[i + 3], y.limbs[i + 3] ^ opposite, carry);
+        out[i] = s0;
+        out[i + 1] = s1;
+        out[i + 2] = s2;
+        out[i + 3] = s3;
+    }
+    for (; i < m; ++i) out[i] = limbs::add_carry(x.limbs[i], y.limbs[i] ^ opposite, carry);
+    for (; i < n; ++i) out[i] = limbs::add_carry(x.limbs[i], opposite, carry);
+    out[n] = Limb(carry) & ~opposite;
+    const auto size = static_cast<std::int32_t>(limbs::normalised_size(out, n + 1));
+    return x.negative() ? -size : size;
+}
+
+/// out = a + b where the register form does not apply.
+template <unsigned R>
+[[gnu::noinline]] void assign_long_sum(LimbBuffer<R>& out, LimbView a, LimbView b) {
+    if (a.size == 0 || b.size == 0) {
+        out.assign(a.size == 0 ? b : a);
         return;
     }
-    static_cast<void>(limbs::subtract(out.data(), a.limbs, n, b.limbs, b.count()));
-    out.set_size_normalised(n, negative);
+    const std::size_t length = std::max(a.count(), b.count()) + 1;
+    if (length <= out.capacity()) {
+        out.set_signed_size(add_into(out.data(), a, b));
+    } else if (length <= scratch_limbs) {
+        // The sum may fit although a carry would not.
+        Limb sum[scratch_limbs];
+        const std::int32_t size = add_into(sum, a, b);
+        out.assign({sum, size});
+    } else {
+        LimbBuffer<R> fresh(length);
+        fresh.set_signed_size(add_into(fresh.data(), a, b));
+        out = std::move(fresh);
+    }
 }
 
 /// out = a + b.
 template <unsigned R>
 void assign_sum(LimbBuffer<R>& out, LimbView a, LimbView b) {
-    const std::size_t n = a.count();
-    const std::size_t m = b.count();
-    if (a.negative() == b.negative()) {
-        if (n >= m)
-            assign_magnitude_sum(out, a, b, a.negative());
-        else
-            assign_magnitude_sum(out, b, a, a.negative());
-    } else if (limbs::compare(a.limbs, n, b.limbs, m) >= 0) {
-        assign_magnitude_difference(out, a, b, a.negative());
-    } else {
-        assign_magnitude_difference(out, b, a, b.negative());
-    }
-}
-
-/// out = a * b where `out` holds neither operand and is n + m limbs long. Requires: neither is zero.
-inline std::size_t multiply_into(Limb* out, LimbView a, LimbView b) noexcept {
-    const std::size_t n = a.count();
-    const std::size_t m = b.count();
-    // The inner loop runs over the longer operand.
-    if (n >= m)
-        limbs::multiply(out, a.limbs, n, b.limbs, m);
+    if (is_short(a) && is_short(b))
+        assign_short_sum(out, short_magnitude(a), a.negative(), short_magnitude(b), b.negative());
     else
-        limbs::multiply(out, b.limbs, m, a.limbs, n);
-    return n + m - (out[n + m - 1] == 0 ? 1 : 0);
+        assign_long_sum(out, a, b);
 }
 
-/// The product of two numbers in scratch memory: on the stack up to a size that covers every predicate.
-class ScratchProduct {
-public:
-    ScratchProduct(LimbView a, LimbView b) {
-        if (a.size == 0 || b.size == 0) return;
-        const std::size_t length = a.count() + b.count();
-        Limb* out = stack_;
-        if (length > scratch_limbs) {
-            heap_.reset(new Limb[length]);
-            out = heap_.get();
-        }
-        const auto size = static_cast<std::int32_t>(multiply_into(out, a, b));
-        view_ = {out, a.negative() == b.negative() ? size : -size};
+/// out = a * b where `out` holds neither operand and is n + m limbs long. Returns: the signed size.
+inline std::int32_t multiply_into(Limb* out, LimbView a, LimbView b) noexcept {
+    if (a.size == 0 || b.size == 0) return 0;
+    const bool negative = a.negative() != b.negative();
+    if (a.count() < b.count()) std::swap(a, b);
+    const std::size_t n = a.count();
+    const std::size_t m = b.count();
+    limbs::multiply(out, a.limbs, n, b.limbs, m);
+    const auto size = static_cast<std::int32_t>(n + m - (out[n + m - 1] == 0 ? 1 : 0));
+    return negative ? -size : size;
+}
+
+/// out = a * b where the register form does not apply.
+template <unsigned R>
+[[gnu::noinline]] void assign_long_product(LimbBuffer<R>& out, LimbView a, LimbView b) {
+    const std::size_t length = a.count() + b.count();
+    const bool aliased = out.data() == a.limbs || out.data() == b.limbs;
+    if (!aliased && length <= out.capacity()) {
+        out.set_signed_size(multiply_into(out.data(), a, b));
+    } else if (length <= scratch_limbs) {
+        // Also the way for a product whose top limb may turn out to be zero, so that it needs no heap after all.
+        Limb product[scratch_limbs];
+        const std::int32_t size = multiply_into(product, a, b);
+        out.assign({product, size});
+    } else {
+        LimbBuffer<R> fresh(length);
+        fresh.set_signed_size(multiply_into(fresh.data(), a, b));
+        out = std::move(fresh);
     }
-    ScratchProduct(const ScratchProduct&) = delete;
-    ScratchProduct& operator=(const ScratchProduct&) = delete;
-
-    [[nodiscard]] LimbView view() const noexcept { return view_; }
-
-private:
-    LimbView view_;
-    std::unique_ptr<Limb[]> heap_;
-    Limb stack_[scratch_limbs];  // written only as far as the product reaches
-};
+}
 
 /// out = a * b.
 template <unsigned R>
 void assign_product(LimbBuffer<R>& out, LimbView a, LimbView b) {
-    if (a.size == 0 || b.size == 0) {
-        out.clear();
-        return;
-    }
-    const std::size_t length = a.count() + b.count();
     const bool negative = a.negative() != b.negative();
-    const bool aliased = out.data() == a.limbs || out.data() == b.limbs;
-    if (!aliased && length <= out.capacity()) {
-        out.set_size(multiply_into(out.data(), a, b), negative);
-    } else if (length <= scratch_limbs) {
-        // Also the way for a product whose top limb may turn out to be zero, so that it needs no heap after all.
-        out.assign(ScratchProduct(a, b).view());
+    if (a.count() == 1 && b.count() == 1) {
+        const UInt128 product = UInt128(a.limbs[0]) * b.limbs[0];
+        Limb* to = out.data();
+        to[0] = static_cast<Limb>(product);
+        to[1] = static_cast<Limb>(product >> limbs::bits);
+        out.set_size(to[1] != 0 ? 2 : 1, negative);
+    } else if (R >= 4 && a.count() == 2 && b.count() == 2) {
+        const Limb x0 = a.limbs[0];
+        const Limb x1 = a.limbs[1];
+        const Limb y0 = b.limbs[0];
+        const Limb y1 = b.limbs[1];
+        const UInt128 low = UInt128(x0) * y0;
+        const UInt128 cross0 = UInt128(x0) * y1 + static_cast<Limb>(low >> limbs::bits);
+        const UInt128 cross1 = UInt128(x1) * y0 + static_cast<Limb>(cross0);
+        const UInt128 high =
+            UInt128(x1) * y1 + static_cast<Limb>(cross0 >> limbs::bits) + static_cast<Limb>(cross1 >> limbs::bits);
+        Limb* to = out.data();
+        to[0] = static_cast<Limb>(low);
+        to[1] = static_cast<Limb>(cross1);
+        to[2] = static_cast<Limb>(high);
+        to[3] = static_cast<Limb>(high >> limbs::bits);
+        out.set_size(to[3] != 0 ? 4 : 3, negative);
     } else {
-        LimbBuffer<R> fresh(length);
-        fresh.set_size(multiply_into(fresh.data(), a, b), negative);
-        out = std::move(fresh);
+        assign_long_product(out, a, b);
+    }
+}
+
+/// acc += a * b, or acc -= a * b, where the register form does not apply.
+template <unsigned R>
+[[gnu::noinline]] void add_long_product(LimbBuffer<R>& acc, LimbView a, LimbView b, bool subtract) {
+    const std::size_t length = a.count() + b.count();
+    const auto add = [&](Limb* product) {
+        const std::int32_t size = multiply_into(product, a, b);
+        assign_long_sum(acc, acc.view(), {product, subtract ? -size : size});
+    };
+    if (length <= scratch_limbs) {
+        Limb product[scratch_limbs];
+        add(product);
+    } else {
+        LimbBuffer<2> product(length);
+        add(product.data());
+    }
+}
+
+/// acc += a * b, or acc -= a * b; `acc` may be an operand.
+template <unsigned R>
+void add_product(LimbBuffer<R>& acc, LimbView a, LimbView b, bool subtract) {
+    const LimbView sum = acc.view();
+    if (is_short(sum) && a.count() == 1 && b.count() == 1) {
+        assign_short_sum(acc, short_magnitude(sum), sum.negative(), UInt128(a.limbs[0]) * b.limbs[0],
+                         (a.negative() != b.negative()) != subtract);
+    } else {
+        add_long_product(acc, a, b, subtract);
     }
 }
 

@@ -31,19 +31,13 @@ template <unsigned K>
 /// acc += a * b, without a temporary object. `acc` may be an operand.
 template <unsigned R, unsigned K, unsigned M>
 void add_product(BasicInteger<R>& acc, const BasicInteger<K>& a, const BasicInteger<M>& b) {
-    if (acc.is_zero() && static_cast<const void*>(&acc) != &a && static_cast<const void*>(&acc) != &b) {
-        arithmetic::assign_product(acc.buffer(), a.view(), b.view());
-        return;
-    }
-    const arithmetic::ScratchProduct product(a.view(), b.view());
-    arithmetic::assign_sum(acc.buffer(), acc.view(), product.view());
+    arithmetic::add_product(acc.buffer(), a.view(), b.view(), false);
 }
 
 /// acc -= a * b, without a temporary object. `acc` may be an operand.
 template <unsigned R, unsigned K, unsigned M>
 void sub_product(BasicInteger<R>& acc, const BasicInteger<K>& a, const BasicInteger<M>& b) {
-    const arithmetic::ScratchProduct product(a.view(), b.view());
-    arithmetic::assign_sum(acc.buffer(), acc.view(), product.view().negated());
+    arithmetic::add_product(acc.buffer(), a.view(), b.view(), true);
 }
 
 /// The result of a division: dividend = quotient * divisor + remainder.

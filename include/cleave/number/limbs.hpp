@@ -166,12 +166,6 @@ constexpr Limb subtract_multiple(Limb* out, const Limb* a, std::size_t n, Limb b
     return carry;
 }
 
-/// out = a * b over n + m limbs by operand scanning. Requires: n, m >= 1; `out` overlaps neither operand.
-constexpr void multiply(Limb* out, const Limb* a, std::size_t n, const Limb* b, std::size_t m) noexcept {
-    out[n] = multiply_by_limb(out, a, n, b[0]);
-    for (std::size_t j = 1; j < m; ++j) out[n + j] = add_multiple(out + j, a, n, b[j]);
-}
-
 /// out = a * 2^shift, 0 < shift < 64, over n limbs from the top down, so `out` may be a or lie above it.
 /// Returns: the bits shifted out.
 constexpr Limb shift_left(Limb* out, const Limb* a, std::size_t n, unsigned shift) noexcept {

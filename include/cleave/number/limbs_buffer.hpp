@@ -75,6 +75,9 @@ public:
         size_ = negative ? -size : size;
     }
 
+    /// The same, the sign being that of the size.
+    void set_signed_size(std::int32_t size) noexcept { size_ = size; }
+
     /// Drops leading zero limbs from `count`, then sets the size.
     void set_size_normalised(std::size_t count, bool negative) noexcept {
         set_size(limbs::normalised_size(data(), count), negative);
