@@ -54,14 +54,11 @@ struct OffHeader {
     return header;
 }
 
-/// A count from the counts line. `bytes_each` is the least that one item takes in the file: a count that the rest of
-/// the file cannot hold is refused before anything is allocated for it.
-[[nodiscard]] inline std::size_t read_off_count(TextReader& reader, std::string_view word, const char* what,
-                                                std::size_t bytes_each) {
+/// A count from the counts line. It is not trusted further than the 32 bits that indices have.
+[[nodiscard]] inline std::size_t read_off_count(const TextReader& reader, std::string_view word, const char* what) {
     const std::uint64_t count = read_index(reader, word, what);
-    if (count > std::numeric_limits<std::uint32_t>::max() || count > reader.bytes_left() / bytes_each) {
-        reader.fail(std::string("the counts line gives ") + what + " as " + std::to_string(count) + ", more than the " +
-                    std::to_string(reader.bytes_left()) + " bytes after it can hold; the file is cut off or damaged");
+    if (count > std::numeric_limits<std::uint32_t>::max()) {
+        reader.fail(std::string(what) + " is " + std::to_string(count) + ", more than a mesh can hold");
     }
     return static_cast<std::size_t>(count);
 }
@@ -78,16 +75,17 @@ template <class T = double>
     std::string_view word = reader.next_word();
     if (word == "BINARY") reader.fail("binary OFF is not supported; convert the file to text");
     if (word.empty()) reader.fail("expected the counts of vertices, faces and edges, found the end of the file");
-    const std::size_t point_count = detail::read_off_count(reader, word, "the number of vertices", 5);
-    const std::size_t face_count = detail::read_off_count(reader, reader.word(), "the number of faces", 1);
+    const std::size_t point_count = detail::read_off_count(reader, word, "the number of vertices");
+    const std::size_t face_count = detail::read_off_count(reader, reader.word(), "the number of faces");
     // The number of edges is often wrong and sometimes missing; nothing depends on it.
     if (!reader.at_line_end()) (void)read_index(reader, reader.word(), "the number of edges");
     if (!reader.at_line_end()) reader.fail_expected("the end of the counts line", reader.word());
 
     PolygonMesh<T> mesh;
-    mesh.points.reserve(point_count);
-    mesh.first.reserve(face_count + 1);
-    mesh.corners.reserve(3 * std::min(face_count, reader.bytes_left() / 8));  // "3 0 1 2" and a line end
+    // Counts may lie, so memory is asked for by what the file can hold: "0 0 0" and "3 0 1 2", each with a line end.
+    mesh.points.reserve(std::min(point_count, reader.bytes_left() / 6 + 1));
+    mesh.first.reserve(std::min(face_count, reader.bytes_left() / 8) + 1);
+    mesh.corners.reserve(3 * std::min(face_count, reader.bytes_left() / 8));
     if (origin != nullptr) *origin = {file, {}, {}};
     for (std::size_t i = 0; i < point_count; ++i) {
         auto& point = mesh.points.emplace_back();
@@ -116,9 +114,8 @@ template <class T = double>
         }
         if (origin != nullptr) origin->face_lines.push_back(static_cast<std::uint32_t>(reader.line()));
         const std::uint64_t size = read_index(reader, word, "the number of corners of face", f);
-        if (size > reader.bytes_left() / 2 || mesh.corners.size() + size > std::numeric_limits<std::uint32_t>::max()) {
-            reader.fail("face " + std::to_string(f) + " promises " + std::to_string(size) +
-                        " corners, more than the rest of the file can hold");
+        if (size > std::numeric_limits<std::uint32_t>::max() - mesh.corners.size()) {
+            reader.fail("face " + std::to_string(f) + " has " + std::to_string(size) + " corners, too many for a mesh");
         }
         for (std::uint64_t c = 0; c < size; ++c) {
             word = reader.word();

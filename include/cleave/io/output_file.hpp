@@ -29,9 +29,11 @@ public:
         namespace fs = std::filesystem;
         std::error_code ignored;
         if (fs::is_directory(path, ignored)) throw FileError(name_, 0, "is a directory; name a file in it");
-        if (fs::is_symlink(path, ignored)) {
-            const fs::path resolved = fs::weakly_canonical(path, ignored);
-            if (!ignored) target_ = resolved;
+        // By hand, because canonical paths are for files that exist. A loop of links ends where opening fails.
+        for (int links = 0; links < 40 && fs::is_symlink(target_, ignored); ++links) {
+            const fs::path next = fs::read_symlink(target_, ignored);
+            if (ignored) break;
+            target_ = next.is_absolute() ? next : target_.parent_path() / next;
         }
         if (fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored)) {
             file_ = std::fopen(target_.string().c_str(), "wb");
