@@ -41,13 +41,15 @@ struct Bounds {
         }
     }
 
-    /// Includes every position of a point whose coordinates are known up to `error`. The widening by 2^-51 |x| covers
-    /// the rounding of the sums themselves.
+    /// Includes every position of a point whose coordinates are known up to `error`: all of space for a point beyond
+    /// the range of doubles. The widening by 2^-51 |x| covers the rounding of the sums themselves.
     void include(const std::array<double, D>& x, double error) noexcept {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < D; ++i) {
             const double slack = error == 0 ? 0 : error + std::abs(x[i]) * 0x1p-51 + 0x1p-1060;
-            lo[i] = std::min(lo[i], x[i] - slack);
-            hi[i] = std::max(hi[i], x[i] + slack);
+            const bool known = slack < infinity;
+            lo[i] = std::min(lo[i], known ? x[i] - slack : -infinity);
+            hi[i] = std::max(hi[i], known ? x[i] + slack : infinity);
         }
     }
 
@@ -213,6 +215,7 @@ public:
         std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return extent(all, a) > extent(all, b); });
         for (const int axis : axes) {
             const auto i = std::size_t(axis);
+            if (!(extent(all, axis) < std::numeric_limits<double>::infinity())) continue;  // nor has it a middle
             centres_.clear();
             for (const facet_type& f : facets) centres_.push_back({f.box.lo[i] / 2 + f.box.hi[i] / 2, f.box.lo[i]});
             const auto middle = centres_.begin() + std::ptrdiff_t(centres_.size() / 2);
