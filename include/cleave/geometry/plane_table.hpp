@@ -176,7 +176,7 @@ private:
         // Primitive and exactly a double only if the coefficient is a power of two.
         if (n.trailing_zeros() + 1 != n.bit_length()) return std::nan("");
         const double x = to_double(-c[D], -std::int64_t(n.bit_length() - 1));
-        if (!std::isfinite(x) || (x != 0 && std::abs(x) < 0x1p-1000)) return std::nan("");
+        if (!std::isfinite(x) || (!c[D].is_zero() && std::abs(x) < 0x1p-1000)) return std::nan("");
         return c[D].bit_length() - std::size_t(c[D].is_zero() ? 0 : c[D].trailing_zeros()) <= 53 ? x : std::nan("");
     }
 
