@@ -51,6 +51,7 @@ template <int D>
         for (const std::uint32_t k : r.planes) word(std::to_string(k));
         word(std::to_string(r.exact));
         word(std::to_string(int(r.kind)));
+        word(std::to_string(int(r.rounded)));
     }
     for (const auto& e : b.exact) {
         out += "\nexact";
@@ -190,16 +191,7 @@ private:
                 require(k < b_->planes.size(), "a point's plane is out of range");
                 require(value<D>(ExactRegion<D>::coefficients(*b_, 2 * k), x) == 0, "a point is not on its plane");
             }
-            require(std::isfinite(r.error), "a stored point has no approximation");
-            for (std::size_t i = 0; i < dimension; ++i) {
-                const Rational approximate = cleave::number_traits<Rational>::from_double(r.approximation[i]);
-                const Rational off = x[i] - approximate;
-                const Rational error = cleave::number_traits<Rational>::from_double(r.error);
-                require(off <= error && -off <= error, "a point is farther from its approximation than its error says");
-                require(cleave::number_traits<Rational>::from_double(b_->bounds.lo[i]) <= x[i] &&
-                            x[i] <= cleave::number_traits<Rational>::from_double(b_->bounds.hi[i]),
-                        "the bounds do not contain a point");
-            }
+            verify_approximation(r, x);
             if (r.exact != cleave::no_id) {
                 const auto& e = b_->exact.at(r.exact);
                 require(e[dimension].sign() == cleave::Sign::plus, "a weight is not positive");
@@ -207,6 +199,25 @@ private:
                     require(rational(e[i], e[dimension]) == x[i], "a point's exact coordinates are not on its planes");
             }
         }
+    }
+
+    void verify_approximation(const cleave::PointRecord<D>& r, const Point& x) const {
+        using Traits = cleave::number_traits<Rational>;
+        const bool known = std::isfinite(r.error);
+        for (std::size_t i = 0; i < dimension; ++i) {
+            const double lo = b_->bounds.lo[i];
+            const double hi = b_->bounds.hi[i];
+            require((std::isinf(lo) || Traits::from_double(lo) <= x[i]) &&
+                        (std::isinf(hi) || Traits::from_double(hi) >= x[i]),
+                    "the bounds do not contain a point");
+            if (r.rounded)
+                require(r.approximation[i] == Traits::to_double(x[i]), "a coordinate is not rounded correctly");
+            if (!known) continue;
+            const Rational off = x[i] - Traits::from_double(r.approximation[i]);
+            const Rational error = Traits::from_double(r.error);
+            require(off <= error && -off <= error, "a point is farther from its approximation than its error says");
+        }
+        require(known || r.rounded, "a stored point has no approximation");
     }
 
     void verify_face(std::size_t f) const {
