@@ -65,37 +65,34 @@ template <int D, class N>
         return convert_number<Field>(sum.total());
 }
 
-/// The exact measure modulo 2^61-1. nullopt: infinite, or a denominator divisible by that prime although the measure's
-/// terms were in lowest terms. Cost: linear, a few microseconds per boundary edge.
-template <int D, class N>
-[[nodiscard]] std::optional<Mod61> measure_modulo(const Region<D, N>& region) {
+/// The exact measure modulo a prime, by default 2^61-1. nullopt: infinite, or the prime divides the denominator.
+/// Cost: linear, a few microseconds per boundary edge.
+template <std::uint64_t P = first_prime, int D, class N>
+[[nodiscard]] std::optional<Modular<P>> measure_modulo(const Region<D, N>& region) {
     if (!region.is_bounded()) return std::nullopt;
     Kernel<D> kernel;
     const LoadedBoundary<D> loaded = load(region.boundary(), kernel);
-    std::vector<Mod61> numerators;
-    std::vector<Mod61> denominators;
+    std::vector<Modular<P>> numerators;
+    std::vector<Modular<P>> denominators;
     bool divisible = false;
     measure_terms<D>(kernel, region.boundary(), loaded, [&](const Integer& num, const Integer& den) {
-        Mod61 n(num.modulo_61());
-        Mod61 d(den.modulo_61());
-        if (d.is_zero()) {
-            const Integer g = gcd(num, den);
-            n = Mod61(exact_divide(num, g).modulo_61());
-            d = Mod61(exact_divide(den, g).modulo_61());
-        }
-        divisible = divisible || d.is_zero();
-        numerators.push_back(n);
-        denominators.push_back(d);
+        numerators.emplace_back(num);
+        denominators.emplace_back(den);
+        if (!denominators.back().is_zero()) return;
+        const Integer g = gcd(num, den);
+        numerators.back() = Modular<P>(exact_divide(num, g));
+        denominators.back() = Modular<P>(exact_divide(den, g));
+        divisible = divisible || denominators.back().is_zero();
     });
     if (divisible) {
         const auto exact = measure(Region<D, Rational>(region));
         const Fraction f = number_traits<Rational>::to_fraction(*exact);
-        const Mod61 d(f.den.modulo_61());
+        const Modular<P> d(f.den);
         if (d.is_zero()) return std::nullopt;
-        return Mod61(f.num.modulo_61()) / d;
+        return Modular<P>(f.num) / d;
     }
-    invert_all(std::span<Mod61>(denominators));
-    Mod61 sum(0);
+    invert_all(std::span<Modular<P>>(denominators));
+    Modular<P> sum(0);
     for (std::size_t i = 0; i < numerators.size(); ++i) sum += numerators[i] * denominators[i];
     return sum;
 }
