@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cleave/number/integer.hpp>
+
+#include "support/catch.hpp"
+
+#include <vector>
+
+using namespace cleave;
+
+namespace {
+
+/// An integer of up to five limbs from generated limbs; small ones are frequent because rapidcheck's sizes grow slowly.
+Integer arbitrary() {
+    const auto limbs = *rc::gen::resize(5, rc::gen::container<std::vector<Limb>>(rc::gen::oneOf(
+                                               rc::gen::arbitrary<Limb>(), rc::gen::element<Limb>(0, 1, ~Limb(0)))));
+    const bool negative = *rc::gen::arbitrary<bool>();
+    return Integer::from_limbs(negative ? Sign::minus : Sign::plus, limbs);
+}
+
+}  // namespace
+
+TEST_CASE("integer: the laws of an ordered ring") {
+    rc::prop("sums and products commute and associate", [] {
+        const Integer a = arbitrary();
+        const Integer b = arbitrary();
+        const Integer c = arbitrary();
+        RC_ASSERT(a + b == b + a);
+        RC_ASSERT(a * b == b * a);
+        RC_ASSERT((a + b) + c == a + (b + c));
+        RC_ASSERT((a * b) * c == a * (b * c));
+    });
+    rc::prop("products distribute over sums and differences", [] {
+        const Integer a = arbitrary();
+        const Integer b = arbitrary();
+        const Integer c = arbitrary();
+        RC_ASSERT(a * (b + c) == a * b + a * c);
+        RC_ASSERT(a * (b - c) == a * b - a * c);
+        RC_ASSERT(a - b == a + (-b));
+        RC_ASSERT(a - a == 0);
+        RC_ASSERT(a * 1 == a);
+        RC_ASSERT(a * 0 == 0);
+        RC_ASSERT(a * -1 == -a);
+    });
+    rc::prop("the order respects sums and products", [] {
+        const Integer a = arbitrary();
+        const Integer b = arbitrary();
+        const Integer c = arbitrary();
+        RC_ASSERT((a < b) == (a + c < b + c));
+        RC_ASSERT((a < b) == ((b - a).sign() == Sign::plus));
+        RC_ASSERT((a * b).sign() == a.sign() * b.sign());
+        RC_ASSERT((a * a).sign() != Sign::minus);
+    });
+    rc::prop("division and gcd keep their promises", [] {
+        const Integer a = arbitrary();
+        const Integer b = arbitrary();
+        RC_PRE(!b.is_zero());
+        const auto [quotient, remainder] = divide(a, b);
+        RC_ASSERT(quotient * b + remainder == a);
+        RC_ASSERT(abs(remainder) < abs(b));
+        RC_ASSERT(exact_divide(a * b, b) == a);
+        const Integer g = gcd(a, b);
+        RC_ASSERT(exact_divide(a, g) * g == a);
+        RC_ASSERT(gcd(exact_divide(a, g), exact_divide(b, g)) == 1);
+    });
+    rc::prop("text, shifts and residues keep the value", [] {
+        const Integer a = arbitrary();
+        const auto shift = *rc::gen::inRange<std::size_t>(0, 300);
+        RC_ASSERT(Integer::from_string(a.to_string()) == a);
+        RC_ASSERT(((a << shift) >> shift) == a);
+        RC_ASSERT((a << shift) == a * Integer::scaled(1, shift));
+    });
+}
