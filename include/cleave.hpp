@@ -13,6 +13,9 @@
 #include <cleave/io.hpp>
 #include <cleave/mesh.hpp>
 #include <cleave/number.hpp>
+#include <cleave/query.hpp>
+#include <cleave/region.hpp>
+#include <cleave/setop.hpp>
 #include <cleave/shape.hpp>
 
 #endif

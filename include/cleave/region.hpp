@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Regions: regular sets as values, how their boundaries are stored, and how they are made from coordinates.
+#ifndef CLEAVE_REGION_HPP
+#define CLEAVE_REGION_HPP
+
+#include <cleave/region/boundary.hpp>
+#include <cleave/region/build.hpp>
+#include <cleave/region/conform.hpp>
+#include <cleave/region/face_merge.hpp>
+#include <cleave/region/facets.hpp>
+#include <cleave/region/make.hpp>
+#include <cleave/region/region.hpp>
+
+#endif

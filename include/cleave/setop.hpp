@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Set operations: any Boolean function of regions by boundary filtering, and the operators.
+#ifndef CLEAVE_SETOP_HPP
+#define CLEAVE_SETOP_HPP
+
+#include <cleave/setop/apply.hpp>
+#include <cleave/setop/boundary_filter.hpp>
+#include <cleave/setop/operators.hpp>
+
+#endif
