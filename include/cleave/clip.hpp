@@ -36,5 +36,6 @@
 #include <cleave/clip/kernel_clip.hpp>
 #include <cleave/clip/loop.hpp>
 #include <cleave/clip/make_facet.hpp>
+#include <cleave/clip/pencil.hpp>
 
 #endif

@@ -37,6 +37,7 @@
 #include <cleave/geometry/handles.hpp>
 #include <cleave/geometry/interning.hpp>
 #include <cleave/geometry/kernel.hpp>
+#include <cleave/geometry/kernel_box.hpp>
 #include <cleave/geometry/kernel_lines.hpp>
 #include <cleave/geometry/line.hpp>
 #include <cleave/geometry/plane.hpp>

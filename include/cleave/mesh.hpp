@@ -3,7 +3,7 @@
 ///
 ///     polygon_mesh    the mesh itself, with double or rational coordinates
 ///     to_region       the solid that a mesh bounds
-///     from_region     the mesh of a solid, exact or rounded (conform: without T-junctions)
+///     from_region     the mesh of a solid, exact or rounded
 ///     validate        does a mesh bound a set; if not, why and where (mesh_report, mesh_error)
 ///     face_shape      flat, without area, not flat; faces in triangles
 ///     triangulate     polygon sets with holes into triangles, every vertex used
@@ -13,7 +13,6 @@
 #ifndef CLEAVE_MESH_HPP
 #define CLEAVE_MESH_HPP
 
-#include <cleave/mesh/conform.hpp>
 #include <cleave/mesh/edge_balance.hpp>
 #include <cleave/mesh/face_shape.hpp>
 #include <cleave/mesh/from_region.hpp>

@@ -25,7 +25,9 @@
 #include <cleave/number/concepts.hpp>
 #include <cleave/number/double.hpp>
 #include <cleave/number/filter.hpp>
+#include <cleave/number/fixed_digits.hpp>
 #include <cleave/number/fixed_int.hpp>
+#include <cleave/number/fixed_int_determinant.hpp>
 #include <cleave/number/integer.hpp>
 #include <cleave/number/interval.hpp>
 #include <cleave/number/modular.hpp>

@@ -4,7 +4,7 @@
 #define CLEAVE_MESH_FROM_REGION_HPP
 
 #include <cleave/base/error.hpp>
-#include <cleave/mesh/conform.hpp>
+#include <cleave/region/conform.hpp>
 #include <cleave/mesh/polygon_mesh.hpp>
 #include <cleave/mesh/triangulate.hpp>
 #include <cleave/number/interval.hpp>
