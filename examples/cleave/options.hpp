@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the command line asks for.
+#pragma once
+
+#include <cleave/base/operation.hpp>
+#include <cleave/mesh/mesh_report.hpp>
+#include <cleave/setop/apply.hpp>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+struct Options {
+    enum class Command { boolean, info, check };
+
+    Command command = Command::boolean;
+    cleave::Operation operation = cleave::Operation::union_;
+    std::string engine_name = "automatic";
+    cleave::Engine engine = cleave::Engine::automatic;
+    std::vector<std::string> inputs;
+    std::string output;
+    bool json = false;
+    bool rational = false;
+    bool strict = false;
+    bool quiet = false;
+
+    [[nodiscard]] cleave::Strictness strictness() const {
+        return strict ? cleave::Strictness::strict : cleave::Strictness::tolerant;
+    }
+};
+
+/// The options, or the status to exit with: 0 after --help or --version, 2 for a command line that makes no sense,
+/// which has been explained on the error stream.
+std::variant<Options, int> parse_command_line(int argc, char** argv);
+
+/// The name of the operation's subcommand.
+const char* operation_name(cleave::Operation operation);
+
+/// The name of the engine that does the work: `automatic` stands for the one it chooses.
+const char* engine_name(cleave::Engine engine);

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "run.hpp"
+
+#include "report.hpp"
+
+#include <cleave/base/error.hpp>
+#include <cleave/io/mesh_file.hpp>
+#include <cleave/mesh/from_region.hpp>
+#include <cleave/mesh/to_region.hpp>
+#include <cleave/query/components.hpp>
+#include <cleave/setop/apply.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <span>
+#include <string>
+#include <system_error>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace cleave;
+using Solid = Region<3>;
+
+/// Adds the time until its end to `total`.
+class Stopwatch {
+public:
+    explicit Stopwatch(double& total) : total_(total) {}
+    ~Stopwatch() {
+        const std::chrono::duration<double> passed = Clock::now() - start_;
+        total_ += passed.count();
+    }
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+
+private:
+    using Clock = std::chrono::steady_clock;
+    double& total_;
+    Clock::time_point start_ = Clock::now();
+};
+
+/// What every subcommand works with.
+struct Context {
+    const Options& options;
+    Interrupt& interrupt;
+    ProgressBar& bar;
+    Seconds seconds;
+    std::string notes;  // printed last, so that they do not tear the progress line
+
+    void stage(const std::string& name) {
+        if (interrupt.token().stop_requested()) throw Cancelled();
+        bar.stage(name);
+    }
+
+    void print_notes() {
+        bar.close();
+        if (!options.quiet) std::cerr << notes;
+    }
+};
+
+template <class T>
+struct Operand {
+    std::string file;
+    MeshOrigin origin;
+    PolygonMesh<T> mesh;
+};
+
+template <class T>
+Operand<T> read_operand(Context& context, const std::string& file) {
+    context.stage("reading " + file);
+    const Stopwatch watch(context.seconds.read);
+    Operand<T> operand{file, {}, {}};
+    operand.mesh = read_mesh<T>(file, &operand.origin);
+    return operand;
+}
+
+/// Frees the mesh.
+template <class T>
+Solid prepare(Context& context, Operand<T>& operand) {
+    context.stage("preparing " + operand.file);
+    MeshReport report;
+    Solid solid;
+    {
+        const Stopwatch watch(context.seconds.prepare);
+        try {
+            solid = to_region(operand.mesh, {context.options.strictness(), &operand.origin, &report});
+        } catch (const NumberError& error) {
+            throw FileError(operand.file, 0, error.what());
+        }
+    }
+    context.notes += tolerated_text(operand.file, report);
+    operand.mesh = {};
+    operand.origin = {};
+    return solid;
+}
+
+OperandReport report_of(Context& context, const std::string& file, const Solid& solid) {
+    context.stage("measuring " + file);
+    OperandReport report;
+    report.file = file;
+    report.volume = context.options.json ? measure_volume(solid, json_fraction_digits, json_decimal_digits)
+                                         : measure_volume(solid, text_fraction_digits, text_decimal_digits);
+    return report;
+}
+
+/// Any number of operands; a function has room for 64, and all four operations can be done in parts: of a difference,
+/// the first operand stands apart from the union of the others.
+Solid operate(const Options& options, std::vector<Solid> operands, ProgressReporter& progress) {
+    constexpr std::size_t room = BooleanFunction::max_arity;
+    OperationOptions settings;
+    settings.engine = options.engine;
+    settings.progress = &progress;
+    const auto evaluate_some = [&](Operation operation, std::span<const Solid> some) {
+        return evaluate<3, Rational>(BooleanFunction::from(operation, static_cast<unsigned>(some.size())), some,
+                                     settings);
+    };
+    const bool is_difference = options.operation == Operation::difference;
+    const Operation inner = is_difference ? Operation::union_ : options.operation;
+    const std::size_t kept = is_difference ? 1 : 0;
+    while (operands.size() > room) {
+        std::vector<Solid> next(operands.begin(), operands.begin() + static_cast<std::ptrdiff_t>(kept));
+        for (std::size_t i = kept; i < operands.size(); i += room)
+            next.push_back(
+                evaluate_some(inner, std::span<const Solid>(operands).subspan(i, std::min(room, operands.size() - i))));
+        operands = std::move(next);
+    }
+    return evaluate_some(options.operation, operands);
+}
+
+ExportedMesh<double> export_mesh(const Solid& solid, double) {
+    return to_exported_mesh(solid);
+}
+ExportedMesh<Rational> export_mesh(const Solid& solid, const Rational&) {
+    return to_exported_rational_mesh(solid);
+}
+
+/// Points of the triangles in an STL file, as its reader sees them: those that differ in single precision.
+std::size_t count_stl_points(const Mesh& mesh) {
+    std::vector<std::array<float, 3>> points;
+    for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+        std::array<std::array<float, 3>, 3> corners{};
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                corners[i][axis] = static_cast<float>(mesh.points[mesh.face(f)[i]][axis]) + 0.0F;  // one zero
+        if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+            points.insert(points.end(), corners.begin(), corners.end());
+    }
+    std::sort(points.begin(), points.end());
+    return static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
+}
+
+/// Finds out that a file cannot be written before hours of work, not after.
+void require_writable(const std::string& file) {
+    static_cast<void>(mesh_format(file));
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored) &&
+        !std::filesystem::is_directory(file, ignored))
+        return;  // a pipe or a device: opening it would be noticed at its other end
+    const OutputFile probe(file);
+}
+
+template <class T>
+int run_boolean(Context& context) {
+    const Options& options = context.options;
+    require_writable(options.output);
+    std::vector<Operand<T>> operands;
+    for (const std::string& file : options.inputs) operands.push_back(read_operand<T>(context, file));
+    std::vector<OperandReport> reports;
+    std::vector<Solid> solids;
+    for (Operand<T>& operand : operands) {
+        OperandReport& report = reports.emplace_back();
+        report.vertices = operand.mesh.point_count();
+        report.faces = operand.mesh.face_count();
+        solids.push_back(prepare(context, operand));
+    }
+
+    context.stage(operation_name(options.operation));
+    ProgressReporter progress(context.bar.callback(), context.interrupt.token());
+    Solid solid;
+    {
+        const Stopwatch watch(context.seconds.operate);
+        solid = operate(options, solids, progress);
+    }
+    context.stage("exporting " + options.output);
+    ExportedMesh<T> exported;
+    {
+        const Stopwatch watch(context.seconds.export_);
+        exported = export_mesh(solid, T());
+    }
+    context.notes += rounding_text(options.output, exported.rounding);
+
+    ResultReport result;
+    const bool wants_report = options.json || !options.quiet;
+    if (wants_report) {
+        // Before the file is written: an interrupted run leaves nothing behind.
+        for (std::size_t i = 0; i < solids.size(); ++i) {
+            OperandReport report = report_of(context, options.inputs[i], solids[i]);
+            report.vertices = reports[i].vertices;
+            report.faces = reports[i].faces;
+            reports[i] = std::move(report);
+        }
+        result.volume = report_of(context, options.output, solid).volume;
+        context.stage("connecting " + options.output);
+        const Connectivity connected = connectivity(solid);
+        result.closed = connected.closed;
+        result.components = connected.components;
+    }
+    context.stage("writing " + options.output);
+    StlRounding rounding;
+    {
+        const Stopwatch watch(context.seconds.write);
+        context.interrupt.protect([&] { rounding = write_mesh(options.output, exported.mesh); });
+    }
+    context.notes += rounding_text(options.output, rounding);
+    result.file = options.output;
+    result.faces = exported.mesh.face_count() - rounding.lost_triangles;
+    result.vertices = exported.mesh.point_count();
+    if constexpr (std::is_same_v<T, double>)
+        if (mesh_format(options.output) == MeshFormat::stl) result.vertices = count_stl_points(exported.mesh);
+    context.print_notes();
+    if (options.json)
+        std::cout << boolean_json(options, reports, result, context.seconds) << '\n';
+    else if (!options.quiet)
+        std::cout << boolean_text(options, reports, result, context.seconds);
+    return 0;
+}
+
+template <class T>
+int run_info(Context& context) {
+    std::vector<OperandReport> reports;
+    for (const std::string& file : context.options.inputs) {
+        Operand<T> operand = read_operand<T>(context, file);
+        const std::size_t vertices = operand.mesh.point_count();
+        const std::size_t faces = operand.mesh.face_count();
+        reports.push_back(report_of(context, file, prepare(context, operand)));
+        reports.back().vertices = vertices;
+        reports.back().faces = faces;
+    }
+    context.print_notes();
+    if (context.options.json)
+        std::cout << info_json(reports) << '\n';
+    else if (!context.options.quiet)
+        std::cout << info_text(reports);
+    return 0;
+}
+
+template <class T>
+int run_check(Context& context) {
+    const Options& options = context.options;
+    const std::string& file = options.inputs.front();
+    const Operand<T> operand = read_operand<T>(context, file);
+    context.stage("checking " + file);
+    MeshReport report = validate(operand.mesh);
+    const std::string oddities = explain(report, operand.mesh, &operand.origin);
+    std::string message;
+    try {
+        static_cast<void>(to_region(operand.mesh, {options.strictness(), &operand.origin}));
+    } catch (const Error& error) {
+        message = error.what();
+    }
+    const bool valid = message.empty();
+    context.print_notes();
+    if (options.json) std::cout << check_json(file, report, valid, message) << '\n';
+    if (!valid) {
+        std::cerr << "cleave: " << message << '\n';
+    } else if (!options.json && !options.quiet) {
+        std::cout << file << ": " << report.point_count << " vertices, " << report.face_count
+                  << " faces, bounds a solid\n";
+        if (!oddities.empty()) std::cout << oddities << '\n';
+    }
+    return valid ? 0 : 1;
+}
+
+template <class T>
+int run_as(Context& context) {
+    switch (context.options.command) {
+        case Options::Command::boolean:
+            return run_boolean<T>(context);
+        case Options::Command::info:
+            return run_info<T>(context);
+        case Options::Command::check:
+            return run_check<T>(context);
+    }
+    return 2;
+}
+
+}  // namespace
+
+int run(const Options& options, Interrupt& interrupt, ProgressBar& bar) {
+    Context context{options, interrupt, bar, {}, {}};
+    return options.rational ? run_as<Rational>(context) : run_as<double>(context);
+}
