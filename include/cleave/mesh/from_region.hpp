@@ -4,11 +4,11 @@
 #define CLEAVE_MESH_FROM_REGION_HPP
 
 #include <cleave/base/error.hpp>
-#include <cleave/region/conform.hpp>
 #include <cleave/mesh/polygon_mesh.hpp>
 #include <cleave/mesh/triangulate.hpp>
 #include <cleave/number/interval.hpp>
 #include <cleave/region/build.hpp>
+#include <cleave/region/conform.hpp>
 #include <cleave/region/region.hpp>
 
 #include <algorithm>
