@@ -20,7 +20,7 @@ CLEAVE_BEGIN_NAMESPACE
 /// Cuts a face of a 3-D boundary into convex facets. The face is a set of directed edges, each with its plane; a cut
 /// along a line sends edges to both sides, and the edges along the cut are the ones that make each side close again:
 /// walking along the line, the surplus of edges that end over edges that start, summed up.
-class FaceCutter {
+class KernelFaceCutter {
 public:
     struct Edge {
         PointId from;
@@ -28,7 +28,7 @@ public:
         PlaneId plane;
     };
 
-    FaceCutter(Kernel<3>& kernel, PointInterner<3>& points) : kernel_(&kernel), points_(&points) {}
+    KernelFaceCutter(Kernel<3>& kernel, PointInterner<3>& points) : kernel_(&kernel), points_(&points) {}
 
     /// Calls `emit(corners)` for each convex facet of the face on plane f. Requires: the edges are a closed set.
     template <class Emit>
@@ -179,14 +179,14 @@ LoadedFacets<D> make_facets(const Boundary<D>& boundary, const LoadedBoundary<D>
                 add(corners);
                 continue;
             }
-            std::vector<FaceCutter::Edge> edges;
+            std::vector<KernelFaceCutter::Edge> edges;
             for (std::uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
                 corners_of(l);
                 for (std::size_t c = 0; c < corners.size(); ++c)
                     edges.push_back(
                         {corners[c].point, corners[c + 1 == corners.size() ? 0 : c + 1].point, corners[c].edge});
             }
-            FaceCutter(clip.kernel(), points).cut(plane, std::move(edges), add);
+            KernelFaceCutter(clip.kernel(), points).cut(plane, std::move(edges), add);
         } else {
             for (std::uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
                 corners_of(l);
