@@ -5,8 +5,16 @@
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 
+#include <csignal>
 #include <filesystem>
 #include <string>
+
+#if __has_include(<sys/resource.h>)
+#include <sys/resource.h>
+#define CLEAVE_TEST_HAS_FILE_LIMIT 1
+#else
+#define CLEAVE_TEST_HAS_FILE_LIMIT 0
+#endif
 
 using namespace cleave;
 namespace fs = std::filesystem;
@@ -96,6 +104,41 @@ TEST_CASE("output_file: a full disk is reported") {
     REQUIRE(message([&] { write_file(full, "x"); }).starts_with("/dev/full: cannot be written: "));
     REQUIRE(fs::is_character_file(full));
 }
+
+#if CLEAVE_TEST_HAS_FILE_LIMIT
+TEST_CASE("output_file: a write that fails half way leaves no file, and an older one as it was") {
+    // A limit on the size of files stands for a disk that fills up. It holds for this process, so it is put back.
+    struct Limit {
+        rlimit before{};
+        void (*handler)(int) = std::signal(SIGXFSZ, SIG_IGN);
+        Limit() {
+            getrlimit(RLIMIT_FSIZE, &before);
+            rlimit small = before;
+            small.rlim_cur = 100000;
+            setrlimit(RLIMIT_FSIZE, &small);
+        }
+        ~Limit() {
+            setrlimit(RLIMIT_FSIZE, &before);
+            std::signal(SIGXFSZ, handler);
+        }
+    };
+    const TemporaryFolder folder;
+    const fs::path old = folder.write("old.off", "old"), fresh = folder.file("fresh.off");
+    std::string why_old, why_fresh, why_little;
+    {
+        const Limit limit;
+        why_old = message([&] { write_file(old, std::string(200000, 'x')); });
+        why_fresh = message([&] { write_file(fresh, std::string(200000, 'x')); });
+        why_little = message([&] { write_file(fresh, std::string(100, 'x')); });
+    }
+    REQUIRE(why_old.starts_with(old.string() + ": cannot be written: "));
+    REQUIRE(why_fresh.starts_with(fresh.string() + ": cannot be written: "));
+    REQUIRE(why_little == "no error");
+    REQUIRE(TemporaryFolder::read(old) == "old");
+    REQUIRE(TemporaryFolder::read(fresh) == std::string(100, 'x'));
+    REQUIRE(folder.count() == 2);
+}
+#endif
 
 TEST_CASE("output_file: a device is written to, not replaced") {
     const fs::path null = "/dev/null";

@@ -205,7 +205,7 @@ TEST_CASE("validate: faces with repeated and with too few corners") {
 }
 
 TEST_CASE("validate: non-planar faces, decided exactly") {
-    // Corner 7 of the pentomino moved to z = 1/2 takes three faces out of their planes.
+    // Corner 7 of the pentomino moved to z = 1/2 stays in the planes of its two walls and leaves that of the bottom.
     Mesh mesh = meshes::pentomino();
     mesh.points[7][2] = 0.5;
     MeshReport report = checked(mesh);
