@@ -31,16 +31,19 @@ double on_grid(double x) {
     return std::round(x * 512) / 512;
 }
 
-/// A closed surface over the torus [0, 1)^2, `around` x `across` quadrilaterals in two triangles each.
+/// A closed surface over the torus [0, 1)^2, `around` x `across` quadrilaterals in two triangles each. Going round once
+/// ends `shift` places further across.
 template <class Surface>
-Mesh torus_like(std::uint32_t around, std::uint32_t across, Surface&& surface) {
+Mesh torus_like(std::uint32_t around, std::uint32_t across, std::uint32_t shift, Surface&& surface) {
     Mesh mesh;
     for (std::uint32_t i = 0; i < around; ++i)
         for (std::uint32_t j = 0; j < across; ++j) {
             const std::array<double, 3> p = surface(double(i) / around, double(j) / across);
             mesh.points.push_back({on_grid(p[0]), on_grid(p[1]), on_grid(p[2])});
         }
-    const auto at = [&](std::uint32_t i, std::uint32_t j) { return (i % around) * across + j % across; };
+    const auto at = [&](std::uint32_t i, std::uint32_t j) {
+        return i == around ? (j + shift) % across : i * across + j % across;
+    };
     for (std::uint32_t i = 0; i < around; ++i)
         for (std::uint32_t j = 0; j < across; ++j) {
             mesh.add_face({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
@@ -49,10 +52,10 @@ Mesh torus_like(std::uint32_t around, std::uint32_t across, Surface&& surface) {
     return mesh;
 }
 
-/// A ring with a square section that turns once on its way round.
+/// A ring with a square section that turns by a right angle on its way round.
 Mesh twisted_ring() {
     constexpr double turn = 2 * std::numbers::pi;
-    return torus_like(104, 28, [](double s, double t) {
+    return torus_like(104, 28, 7, [](double s, double t) {
         const double side = 4 * t - std::floor(4 * t);
         const double corner = turn * std::floor(4 * t) / 4 + turn * s / 4;
         const double next = corner + turn / 4;
