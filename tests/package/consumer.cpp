@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The least program of a project that uses cleave. Returns 0 if the library works.
+// A small program of a project that uses cleave: two cubes that overlap in a unit cube.
 #include <cleave.hpp>
 
 int main() {
-    return cleave::apply(cleave::Operation::difference, true, false) ? 0 : 1;
+    const cleave::Region<3> a = cleave::box<3>({0, 0, 0}, {2, 2, 2});
+    const cleave::Region<3> b = cleave::box<3>({1, 1, 1}, {3, 3, 3});
+    return *cleave::measure(a | b) == 15 ? 0 : 1;
 }
