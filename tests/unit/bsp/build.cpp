@@ -282,6 +282,42 @@ TEST_CASE("build: what is kept in place survives a split behind it") {
     }
 }
 
+TEST_CASE("build: children and nodes receive their facets in the order of the input") {
+    toy::Space<1> line;
+    std::vector<toy::Facet<1>> ends = toy::comb(5);  // 0, 1, ..., 9
+    for (const std::size_t root : {2U, 3U, 6U, 7U}) {
+        std::vector<toy::Facet<1>> facets = ends;
+        std::rotate(facets.begin(), facets.begin() + static_cast<std::ptrdiff_t>(root), facets.begin() + 8);
+        const toy::Tree<> t = cleave::build(line, facets);
+        CHECK(t.cut(t.root()) == ends[root].plane);
+        for (const cleave::ChildSide side : {cleave::ChildSide::minus, cleave::ChildSide::plus}) {
+            // The first facet of the input on this side is the child's cut.
+            const FacetSide wanted = side == cleave::ChildSide::minus ? FacetSide::minus : FacetSide::plus;
+            const auto first = std::find_if(facets.begin(), facets.end(), [&](const toy::Facet<1>& f) {
+                return line.side(ends[root].plane, f) == wanted;
+            });
+            REQUIRE(first != facets.end());
+            CHECK(t.cut(t.child(t.root(), side)) == first->plane);
+        }
+    }
+
+    // Four squares in a row: their upper sides lie in one plane, which is the first cut.
+    toy::Grid<2> row(8);
+    for (toy::Integer x = 0; x < 8; x += 2) row.fill({x, 3}, {x + 1, 4}).fill({x, 4}, {x + 1, 5}, false);
+    row.fill({1, 4}, {2, 5}).fill({3, 4}, {4, 5});
+    toy::Space<2> plane;
+    const std::vector<toy::Facet<2>> facets = row.boundary();
+    const auto t = cleave::build_with_facets(plane, facets, Stubborn{{1, 4, Sign::plus}});
+    const auto in_order = [&](std::span<const toy::Facet<2>> kept) {
+        CHECK(kept.size() > 1);
+        CHECK(std::is_sorted(kept.begin(), kept.end(), [&](const toy::Facet<2>& a, const toy::Facet<2>& b) {
+            return std::find(facets.begin(), facets.end(), a) < std::find(facets.begin(), facets.end(), b);
+        }));
+    };
+    in_order(t.facets.same(t.tree.root()));
+    in_order(t.facets.opposite(t.tree.root()));
+}
+
 TEST_CASE("build: a facet that is split is split once a cut") {
     // A wall from 0 to 8 and three posts whose planes cross it.
     toy::Grid<2> grid(9);

@@ -228,6 +228,19 @@ TEST_CASE("pivot: where no proposal divides, structural looks for a plane throug
     CHECK(sides.list.empty());
     CHECK(model.asked == 16);
 
+    // Of a long list only a sample is looked at.
+    for (toy::Integer y = 20; y < 5000; ++y) slivers.push_back(horizontal(y, 0, 100));
+    model.counts = {};
+    CHECK(Structural<FirstFacet>{}(model, std::span(slivers), sides) == slivers[0].plane);
+    CHECK(model.counts.sides <= 16 * 256);
+    for (toy::Integer i = 20; i < 5000; ++i) stairs.push_back(horizontal(i, 2 * i, 2 * i + 2));
+    model.counts = {};
+    (void)Structural<FirstFacet>{}(model, std::span(stairs), sides);
+    CHECK(sides.list.size() == 5000);
+    CHECK(sides.counts.to_minus() * 4 >= 5000);
+    CHECK(sides.counts.to_plus() * 4 >= 5000);
+    CHECK(model.counts.sides <= 16 * 256 + 5000);
+
     // Small lists are left to the fall-back at once.
     stairs.resize(12);
     model.asked = 0;
