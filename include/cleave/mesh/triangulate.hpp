@@ -398,13 +398,14 @@ private:
             return true;
         }
 
-        /// Fills `rays_` with the edges that leave v to the right. Where several run in one direction, the stretch to
-        /// the nearest end stays here with the sum of their signs, and the remainders are handed to that end.
+        /// Fills `rays_` with the edges that leave v to the right. Where several run in one direction, with ends
+        /// c_1, c_2, ... away from v, the stretch to c_1 stays here with the sum of all signs, and the stretch from
+        /// c_i to c_i+1 is handed to c_i with the sum of those that reach so far: linear, however they overlap.
         [[nodiscard]] bool collect(std::uint32_t v) {
             auto& rays = t.rays_;
             rays.clear();
             for (std::uint32_t e = t.first_edge_[v]; e != none; e = t.edges_[e].next) rays.push_back(t.edges_[e]);
-            if (rays.size() < 2) return true;
+            if (rays.size() == 1) return rays[0].sign == 1 || rays[0].sign == -1;
             std::sort(rays.begin(), rays.end(), [&](const Edge& a, const Edge& b) {
                 if (a.right == b.right) return false;
                 const Sign s = turn(v, a.right, b.right);
@@ -412,18 +413,19 @@ private:
             });
             std::size_t kept = 0;
             for (std::size_t i = 0; i < rays.size();) {
-                Edge nearest = rays[i];
                 std::size_t j = i + 1;
-                for (; j < rays.size(); ++j) {
-                    const Edge other = rays[j];
-                    if (other.right != nearest.right) {
-                        if (turn(v, nearest.right, other.right) != Sign::zero) break;
-                        t.add_edge(nearest.right, other.right, other.sign);
-                    }
-                    nearest.sign += other.sign;
+                while (j < rays.size() &&
+                       (rays[j].right == rays[i].right || turn(v, rays[i].right, rays[j].right) == Sign::zero)) {
+                    ++j;
                 }
-                if (nearest.sign < -1 || nearest.sign > 1) return false;
-                if (nearest.sign != 0) rays[kept++] = nearest;
+                for (std::size_t k = j - 1; k > i; --k) {
+                    rays[k - 1].sign += rays[k].sign;
+                    if (rays[k].right != rays[k - 1].right && rays[k].sign != 0) {
+                        t.add_edge(rays[k - 1].right, rays[k].right, rays[k].sign);
+                    }
+                }
+                if (rays[i].sign < -1 || rays[i].sign > 1) return false;
+                if (rays[i].sign != 0) rays[kept++] = rays[i];
                 i = j;
             }
             rays.resize(kept);

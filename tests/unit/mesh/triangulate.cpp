@@ -439,3 +439,28 @@ TEST_CASE("triangulate: a comb whose teeth are all open at once takes n log n") 
     check(set, triangles);
     REQUIRE(turns < 40 * set.points.size());
 }
+
+TEST_CASE("triangulate: edges that overlap by the thousand on one line cost no more than others") {
+    // To and fro between two clusters of a line, and once off it: what remains is a triangle with many corners.
+    constexpr std::int64_t n = 20000;
+    std::vector<Point> points;
+    PolygonSet set;
+    for (std::int64_t i = 0; i < n; ++i) {
+        points.push_back({i, 2 * i});
+        points.push_back({2 * n + (i * 7919) % n, 2 * (2 * n + (i * 7919) % n)});
+    }
+    points.push_back({0, 10 * n});
+    set.points = points;
+    for (std::uint32_t i = 0; i < points.size(); ++i) set.corners.push_back(i);
+    set.first.push_back(static_cast<std::uint32_t>(points.size()));
+    std::size_t turns = 0;
+    Triangulator triangulator;
+    std::vector<IndexTriangle> triangles;
+    const auto orient = set.orient();
+    const auto counted = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        ++turns;
+        return orient(a, b, c);
+    };
+    if (triangulator.triangulate(set.corners, set.first, counted, set.less(), triangles)) check(set, triangles, true);
+    REQUIRE(turns < 60 * points.size());
+}
