@@ -71,9 +71,10 @@ requires(1 <= D && D <= 3) struct ClipModel {
         };
         std::sort(points.begin(), points.end(), before);
         auto median = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
-        if (!before(points.front(), *median))
+        // A median at the least or the greatest position would leave one side empty: the next one inside is taken.
+        if (!before(points.front(), *median)) {
             median = std::upper_bound(points.begin(), points.end(), *median, before);
-        else if (!before(*median, points.back())) {
+        } else if (!before(*median, points.back())) {
             median = std::lower_bound(points.begin(), points.end(), *median, before);
             if (median != points.begin()) --median;
         }

@@ -5,6 +5,7 @@
 #include "support/exact_types.hpp"
 #include "support/geometry_generators.hpp"
 
+#include <cleave/algebra/echelon.hpp>
 #include <cleave/geometry/side.hpp>
 
 #include <algorithm>
@@ -168,6 +169,21 @@ TEST_CASE("cross point: join and meet in D = 4") {
 }
 TEST_CASE("cross point: join and meet in D = 5") {
     check_join_and_meet<5>();
+}
+
+TEST_CASE("cross point: A-T16, planes that share an edge must have rank D - 1, not only be that many") {
+    // In D = 4, x = 0, y = 0 and x + y = 0 are three planes, but what they share is a 2-flat, not an edge.
+    const auto x = make_plane<Integer>(1, 0, 0, 0, 0);
+    const auto y = make_plane<Integer>(0, 1, 0, 0, 0);
+    const auto sum = make_plane<Integer>(1, 1, 0, 0, 0);
+    const auto z = make_plane<Integer>(0, 0, 1, 0, -1);
+    const auto w = make_plane<Integer>(0, 0, 0, 1, -1);
+    CHECK(rank(rows_of(x.normal(), y.normal(), sum.normal())) == 2);
+    CHECK(rank(rows_of(x.normal(), y.normal(), z.normal())) == 3);
+    CHECK_FALSE(meet(x, y, sum, z));
+    CHECK_FALSE(meet(x, y, sum, w));
+    CHECK(meet(x, y, z, w) == make_point<Integer>(0, 0, 1, 1));
+    CHECK(meet(x, sum, z, w) == make_point<Integer>(0, 0, 1, 1));
 }
 
 TEST_CASE("cross point: coordinates on a grid of b bits give planes within the bounds") {
