@@ -89,7 +89,8 @@ struct Space {
         }
         return sum;
     }
-    /// All facets against all planes: the laws, and that sizes add up whatever was asked before.
+    /// All facets against all planes: the laws, that sizes add up whatever was asked before, and that parts have
+    /// ridges.
     void check(const std::vector<KernelFacet<D>>& facets, const std::vector<PlaneId>& planes) {
         check_clip_laws(clip, facets, planes);
         if constexpr (D > 1)
@@ -103,6 +104,9 @@ struct Space {
                             if (part) parts += size(*part, axis);
                         CHECK(parts == size(f, axis));
                     }
+                    for (const auto& part : {s.minus, s.plus})
+                        if (part)
+                            for (const PlaneId e : clip.ridges(*part)) CHECK(clip.side(e, *part) == FacetSide::minus);
                 }
     }
 };
