@@ -81,11 +81,11 @@ def includes(path):
 
 
 def folder_of(name):
-    """The folder that the header `cleave/...` belongs to: its umbrella belongs to it too; None for the top two."""
+    """The folder that the header `cleave/...` belongs to: its umbrella belongs to it too; None for those at the top."""
     parts = Path(name).parts
     if len(parts) == 2:
         stem = Path(name).stem
-        return None if stem == "version" else stem
+        return None if stem in ("version", "extern") else stem
     return parts[1]
 
 
@@ -134,7 +134,7 @@ def check_header(path, graph):
                 kind = "sideways or past what it sees" if folder and up <= FLOORS[folder][0] else "upward"
                 problem(path, number, f"{folder} (floor {FLOORS[folder][0]}) includes {other} (floor {up}): {kind}")
             # Umbrellas are for users; inside, each header says what it needs.
-            if len(Path(target).parts) == 2 and name != "cleave.hpp":
+            if len(Path(target).parts) == 2 and name not in ("cleave.hpp", "cleave/extern.hpp"):
                 problem(path, number, f"<{target}> is an umbrella; include the header that is meant")
 
 

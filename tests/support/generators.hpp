@@ -11,11 +11,8 @@
 #include <cleave/number/traits.hpp>
 
 #include <array>
-#include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <ostream>
-#include <utility>
 #include <vector>
 
 CLEAVE_BEGIN_NAMESPACE
@@ -33,33 +30,16 @@ CLEAVE_END_NAMESPACE
 
 namespace generators {
 
+// The generators are compiled once, in generators.cpp.
+
 /// -3 .. 3 mostly, each of them about as often as zero twice.
-[[nodiscard]] inline rc::Gen<int> small_integer() {
-    return rc::gen::weightedOneOf<int>({{6, rc::gen::inRange(-3, 4)}, {1, rc::gen::inRange(-20, 21)}});
-}
+[[nodiscard]] rc::Gen<int> small_integer();
 
 /// Any number of up to about `limbs` limbs, with long runs of equal bits at times.
-[[nodiscard]] inline rc::Gen<cleave::Integer> wide_integer(int limbs = 4) {
-    const auto limb = rc::gen::weightedOneOf<std::uint64_t>(
-        {{4, rc::gen::arbitrary<std::uint64_t>()},
-         {1, rc::gen::element<std::uint64_t>(0, 1, ~std::uint64_t(0), std::uint64_t(1) << 63, 0xffffffff00000000U)}});
-    return rc::gen::mapcat(rc::gen::inRange(0, limbs + 1), [limb](int count) {
-        return rc::gen::map(
-            rc::gen::pair(rc::gen::container<std::vector<std::uint64_t>>(static_cast<std::size_t>(count), limb),
-                          rc::gen::arbitrary<bool>()),
-            [](const std::pair<std::vector<std::uint64_t>, bool>& drawn) {
-                cleave::Integer x = cleave::Integer::from_limbs(cleave::Sign::plus, drawn.first);
-                if (drawn.second) x.negate();
-                return x;
-            });
-    });
-}
+[[nodiscard]] rc::Gen<cleave::Integer> wide_integer(int limbs = 4);
 
 /// A small integer mostly, one of up to about `limbs` limbs now and then.
-[[nodiscard]] inline rc::Gen<cleave::Integer> integer(int limbs = 4) {
-    return rc::gen::weightedOneOf<cleave::Integer>(
-        {{7, rc::gen::map(small_integer(), [](int x) { return cleave::Integer(x); })}, {1, wide_integer(limbs)}});
-}
+[[nodiscard]] rc::Gen<cleave::Integer> integer(int limbs = 4);
 
 /// How wide the entries of matrices may be, in limbs, so that determinants fit.
 template <class N>
@@ -68,29 +48,14 @@ template <unsigned Bits>
 inline constexpr int widest_limbs<cleave::FixedInt<Bits>> = Bits / 2048;
 
 /// A fraction with small numerator and denominator mostly, a wide one now and then; lowest terms.
-[[nodiscard]] inline rc::Gen<cleave::Fraction> fraction() {
-    const auto make = [](const std::pair<cleave::Integer, cleave::Integer>& drawn) {
-        const bool zero = drawn.second.is_zero();
-        return cleave::make_fraction(drawn.first, zero ? cleave::Integer(1) : drawn.second);
-    };
-    return rc::gen::map(rc::gen::pair(integer(), rc::gen::weightedOneOf<cleave::Integer>(
-                                                     {{3, rc::gen::just(cleave::Integer(1))}, {3, integer()}})),
-                        make);
-}
+[[nodiscard]] rc::Gen<cleave::Fraction> fraction();
 
 /// `count` fractions, or integers of up to `limbs` limbs. One type for every backend and size, because each type that
 /// rapidcheck draws costs seconds of compilation.
-[[nodiscard]] inline std::vector<cleave::Fraction> draw(std::size_t count, bool fractions, int limbs) {
-    const auto entry = fractions ? fraction() : rc::gen::map(integer(limbs), [](const cleave::Integer& x) {
-        return cleave::Fraction{x, 1};
-    });
-    return *rc::gen::container<std::vector<cleave::Fraction>>(count, entry);
-}
+[[nodiscard]] std::vector<cleave::Fraction> draw(std::size_t count, bool fractions, int limbs);
 
 /// For each of `count` rows: negative, or the index of the row it is made from.
-[[nodiscard]] inline std::vector<int> draw_repeats(int count) {
-    return *rc::gen::container<std::vector<int>>(static_cast<std::size_t>(count), rc::gen::inRange(-2 * count, count));
-}
+[[nodiscard]] std::vector<int> draw_repeats(int count);
 
 /// A number of N from its value.
 template <cleave::ExactRing N>
@@ -137,14 +102,7 @@ template <int Rows, int Columns, cleave::ExactRing N>
 }
 
 /// A finite double: small integers and simple binary fractions mostly, any bit pattern otherwise.
-[[nodiscard]] inline rc::Gen<double> finite_double() {
-    return rc::gen::weightedOneOf<double>(
-        {{3, rc::gen::map(rc::gen::inRange(-64, 65), [](int x) { return x / 8.0; })},
-         {2, rc::gen::map(rc::gen::arbitrary<std::uint64_t>(), [](std::uint64_t bits) {
-              const double x = std::bit_cast<double>(bits);
-              return x - x == 0 ? x : 1.0;  // infinities and NaNs become 1
-          })}});
-}
+[[nodiscard]] rc::Gen<double> finite_double();
 
 }  // namespace generators
 

@@ -1,2 +1,2 @@
 // SPDX-License-Identifier: Apache-2.0
-// The owner of the precompiled header that all test programs share; it has no code of its own.
+// The owner of a precompiled header that test programs share; it has no code of its own.

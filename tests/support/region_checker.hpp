@@ -6,8 +6,7 @@
 
 #include "support/exact_region.hpp"
 
-#include <cleave/number/text.hpp>
-#include <cleave/setop/operators.hpp>
+#include <cleave/extern.hpp>
 
 #include <algorithm>
 #include <array>
@@ -359,6 +358,26 @@ template <int D, class N>
 [[nodiscard]] bool equal_sets(const cleave::Region<D, N>& a, const cleave::Region<D, N>& b) {
     return checked(cleave::Operation::symmetric_difference, a, b).is_empty();
 }
+
+// Compiled once, in checkers.cpp.
+#if defined(CLEAVE_INSTANTIATE_CHECKERS)
+#define CLEAVE_CHECKERS_EXTERN
+#else
+#define CLEAVE_CHECKERS_EXTERN extern
+#endif
+#define CLEAVE_CHECKERS(D)                                                                                       \
+    CLEAVE_CHECKERS_EXTERN template std::string dump<D>(const cleave::Boundary<D>&);                             \
+    CLEAVE_CHECKERS_EXTERN template const cleave::Region<D>& verified<D, Rational>(const cleave::Region<D>&);    \
+    CLEAVE_CHECKERS_EXTERN template cleave::Region<D> checked_evaluate<D, Rational>(                             \
+        const cleave::BooleanFunction&, const std::vector<cleave::Region<D>>&, const cleave::OperationOptions&); \
+    CLEAVE_CHECKERS_EXTERN template cleave::Region<D> checked<D, Rational>(                                      \
+        cleave::Operation, const cleave::Region<D>&, const cleave::Region<D>&);                                  \
+    CLEAVE_CHECKERS_EXTERN template bool equal_sets<D, Rational>(const cleave::Region<D>&, const cleave::Region<D>&);
+CLEAVE_CHECKERS(1)
+CLEAVE_CHECKERS(2)
+CLEAVE_CHECKERS(3)
+#undef CLEAVE_CHECKERS
+#undef CLEAVE_CHECKERS_EXTERN
 
 }  // namespace support
 

@@ -204,6 +204,7 @@ public:
     /// An axis-parallel plane near the median of the facets' boxes, at the end of some facet's box so that grids stay
     /// unsplit. nullopt unless each side keeps at most nine tenths of the facets.
     std::optional<PlaneId> propose(std::span<const facet_type> facets) {
+        if (facets.empty()) return std::nullopt;
         box_type all;
         for (const facet_type& f : facets) all.include(f.box);
         std::size_t best_worse = facets.size() - facets.size() / 10;

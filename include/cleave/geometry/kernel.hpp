@@ -13,6 +13,7 @@
 #include <cleave/geometry/handles.hpp>
 #include <cleave/geometry/plane_table.hpp>
 #include <cleave/number/builtin.hpp>
+#include <cleave/number/filter.hpp>
 #include <cleave/number/sign.hpp>
 
 #include <array>
@@ -173,8 +174,10 @@ public:
                 return sign_of_value(int(a.approximation[i] > b.approximation[i]) -
                                      int(a.approximation[i] < b.approximation[i]));
             const double bound = (a.error + b.error) * (1 + 0x1p-50) + std::abs(difference) * 0x1p-52 + 0x1p-1000;
-            if (difference > bound) return Sign::plus;
-            if (-difference > bound) return Sign::minus;
+            if constexpr (!filtering::always_fails) {
+                if (difference > bound) return Sign::plus;
+                if (-difference > bound) return Sign::minus;
+            }
             if (attempt == 0) {
                 if (a.rounded && b.rounded) break;
                 refine(p);
@@ -332,7 +335,7 @@ private:
         }
         value = s;
         bound = magnitude * (double(D + 6) * unit) + r.error * norm * (1 + 0x1p-40) + 0x1p-1060;
-        return s > bound || -s > bound;
+        return !filtering::always_fails && (s > bound || -s > bound);
     }
 
     Sign side_of_canonical(std::uint32_t k, PointId p) {

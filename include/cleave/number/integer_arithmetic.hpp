@@ -32,12 +32,7 @@ inline constexpr std::size_t scratch_limbs = 64;
     return (a.negative() ? -magnitudes : magnitudes) <=> 0;
 }
 
-/// Whether a number has at most two limbs: the case that is computed in registers.
-[[nodiscard]] inline bool is_short(LimbView a) noexcept {
-    return a.size >= -2 && a.size <= 2;
-}
-
-/// The magnitude of a short number.
+/// The magnitude of a number of at most two limbs.
 [[nodiscard]] inline UInt128 short_magnitude(LimbView a) noexcept {
     if (a.size == 0) return 0;
     const UInt128 low = a.limbs[0];
@@ -61,6 +56,91 @@ void assign_short_sum(LimbBuffer<R>& out, UInt128 x, bool x_negative, UInt128 y,
     to[1] = static_cast<Limb>(sum >> limbs::bits);
     if (R >= 3 || carry != 0) to[2] = carry;
     const std::size_t size = carry != 0 ? 3U : (to[1] != 0 ? 2U : (to[0] != 0 ? 1U : 0U));
+    out.set_size(size, x_negative != (negative != 0));
+}
+
+/// A magnitude of up to four limbs in registers: the functions are inlined by force, because passed in memory it would
+/// be written in halves and read in wholes, which stalls.
+struct FourLimbs {
+    Limb l0 = 0;
+    Limb l1 = 0;
+    Limb l2 = 0;
+    Limb l3 = 0;
+
+    /// Requires: at most four limbs.
+    [[gnu::always_inline]] static FourLimbs load(LimbView a) noexcept {
+        FourLimbs r;
+        const std::size_t n = a.count();
+        if (n >= 1) r.l0 = a.limbs[0];
+        if (n >= 2) r.l1 = a.limbs[1];
+        if (n >= 3) r.l2 = a.limbs[2];
+        if (n >= 4) r.l3 = a.limbs[3];
+        return r;
+    }
+
+    /// The product of two numbers with at most four limbs together, a the longer. Requires: b is not zero.
+    [[gnu::always_inline]] static FourLimbs product(LimbView a, LimbView b) noexcept {
+        FourLimbs r;
+        const Limb y0 = b.limbs[0];
+        UInt128 t = UInt128(a.limbs[0]) * y0;
+        r.l0 = static_cast<Limb>(t);
+        r.l1 = static_cast<Limb>(t >> limbs::bits);
+        if (a.count() >= 2) {
+            t = UInt128(a.limbs[1]) * y0 + r.l1;
+            r.l1 = static_cast<Limb>(t);
+            r.l2 = static_cast<Limb>(t >> limbs::bits);
+            if (b.count() == 2) {
+                const Limb y1 = b.limbs[1];
+                t = UInt128(a.limbs[0]) * y1 + r.l1;
+                r.l1 = static_cast<Limb>(t);
+                t = UInt128(a.limbs[1]) * y1 + r.l2 + static_cast<Limb>(t >> limbs::bits);
+                r.l2 = static_cast<Limb>(t);
+                r.l3 = static_cast<Limb>(t >> limbs::bits);
+            } else if (a.count() == 3) {
+                t = UInt128(a.limbs[2]) * y0 + r.l2;
+                r.l2 = static_cast<Limb>(t);
+                r.l3 = static_cast<Limb>(t >> limbs::bits);
+            }
+        }
+        return r;
+    }
+};
+
+/// out = x + y likewise. Requires: R >= 5.
+template <unsigned R>
+[[gnu::always_inline]] inline void assign_medium_sum(LimbBuffer<R>& out, FourLimbs x, bool x_negative, FourLimbs y,
+                                                     bool y_negative) {
+    static_assert(R >= 5);
+    const Limb opposite = x_negative != y_negative ? ~Limb(0) : 0;
+    // Complements first: an xor between two additions with carry would make compilers save the carry.
+    y.l0 ^= opposite;
+    y.l1 ^= opposite;
+    y.l2 ^= opposite;
+    y.l3 ^= opposite;
+    auto carry = static_cast<unsigned char>(opposite & 1);
+    Limb s0 = limbs::add_carry(x.l0, y.l0, carry);
+    Limb s1 = limbs::add_carry(x.l1, y.l1, carry);
+    Limb s2 = limbs::add_carry(x.l2, y.l2, carry);
+    Limb s3 = limbs::add_carry(x.l3, y.l3, carry);
+    // x + 2^256 - y without a carry out: negative.
+    const Limb negative = opposite & (Limb(carry) - 1);
+    s0 ^= negative;
+    s1 ^= negative;
+    s2 ^= negative;
+    s3 ^= negative;
+    unsigned char borrow = 0;
+    s0 = limbs::subtract_borrow(s0, negative, borrow);
+    s1 = limbs::subtract_borrow(s1, negative, borrow);
+    s2 = limbs::subtract_borrow(s2, negative, borrow);
+    s3 = limbs::subtract_borrow(s3, negative, borrow);
+    const Limb s4 = Limb(carry) & ~opposite;
+    Limb* to = out.data();
+    to[0] = s0;
+    to[1] = s1;
+    to[2] = s2;
+    to[3] = s3;
+    to[4] = s4;
+    const std::size_t size = s4 != 0 ? 5U : (s3 != 0 ? 4U : (s2 != 0 ? 3U : (s1 != 0 ? 2U : (s0 != 0 ? 1U : 0U))));
     out.set_size(size, x_negative != (negative != 0));
 }
 
@@ -100,6 +180,12 @@ template <unsigned R>
         out.assign(a.size == 0 ? b : a);
         return;
     }
+    if constexpr (R >= 5) {
+        if (a.count() <= 4 && b.count() <= 4) {
+            assign_medium_sum(out, FourLimbs::load(a), a.negative(), FourLimbs::load(b), b.negative());
+            return;
+        }
+    }
     const std::size_t length = std::max(a.count(), b.count()) + 1;
     if (length <= out.capacity()) {
         out.set_signed_size(add_into(out.data(), a, b));
@@ -118,7 +204,7 @@ template <unsigned R>
 /// out = a + b.
 template <unsigned R>
 void assign_sum(LimbBuffer<R>& out, LimbView a, LimbView b) {
-    if (is_short(a) && is_short(b))
+    if (a.count() <= 2 && b.count() <= 2)
         assign_short_sum(out, short_magnitude(a), a.negative(), short_magnitude(b), b.negative());
     else
         assign_long_sum(out, a, b);
@@ -186,33 +272,48 @@ void assign_product(LimbBuffer<R>& out, LimbView a, LimbView b) {
     }
 }
 
-/// acc += a * b, or acc -= a * b, where the register form does not apply.
+/// acc += a * b, or acc -= a * b, in scratch memory.
 template <unsigned R>
 [[gnu::noinline]] void add_long_product(LimbBuffer<R>& acc, LimbView a, LimbView b, bool subtract) {
     const std::size_t length = a.count() + b.count();
-    const auto add = [&](Limb* product) {
-        const std::int32_t size = multiply_into(product, a, b);
-        assign_long_sum(acc, acc.view(), {product, subtract ? -size : size});
-    };
     if (length <= scratch_limbs) {
         Limb product[scratch_limbs];
-        add(product);
+        const std::int32_t size = multiply_into(product, a, b);
+        assign_long_sum(acc, acc.view(), {product, subtract ? -size : size});
     } else {
         LimbBuffer<2> product(length);
-        add(product.data());
+        const std::int32_t size = multiply_into(product.data(), a, b);
+        assign_long_sum(acc, acc.view(), {product.data(), subtract ? -size : size});
     }
+}
+
+/// The same in registers. Requires: a and b are not zero and have at most four limbs together, a the longer; acc has at
+/// most four.
+template <unsigned R>
+[[gnu::noinline]] void add_medium_product(LimbBuffer<R>& acc, LimbView a, LimbView b, bool negative) {
+    const LimbView sum = acc.view();
+    assign_medium_sum(acc, FourLimbs::load(sum), sum.negative(), FourLimbs::product(a, b), negative);
 }
 
 /// acc += a * b, or acc -= a * b; `acc` may be an operand.
 template <unsigned R>
 void add_product(LimbBuffer<R>& acc, LimbView a, LimbView b, bool subtract) {
     const LimbView sum = acc.view();
-    if (is_short(sum) && a.count() == 1 && b.count() == 1) {
-        assign_short_sum(acc, short_magnitude(sum), sum.negative(), UInt128(a.limbs[0]) * b.limbs[0],
-                         (a.negative() != b.negative()) != subtract);
-    } else {
-        add_long_product(acc, a, b, subtract);
+    if (a.size == 0 || b.size == 0) return;
+    const bool negative = (a.negative() != b.negative()) != subtract;
+    const std::size_t length = a.count() + b.count();
+    if (length == 2 && sum.count() <= 2) {
+        assign_short_sum(acc, short_magnitude(sum), sum.negative(), UInt128(a.limbs[0]) * b.limbs[0], negative);
+        return;
     }
+    if constexpr (R >= 5) {
+        if (length <= 4 && sum.count() <= 4) {
+            if (a.count() < b.count()) std::swap(a, b);
+            add_medium_product(acc, a, b, negative);
+            return;
+        }
+    }
+    add_long_product(acc, a, b, subtract);
 }
 
 /// out = a * 2^shift.

@@ -40,9 +40,8 @@ private:
 /// back. The set stays what it was.
 class ContactCutter {
 public:
-    ContactCutter(Kernel<3>& kernel, const Boundary<3>& boundary, const LoadedBoundary<3>& loaded,
-                  const BoundaryEdges& edges, const FaceBoxes& boxes)
-        : kernel_(&kernel), boundary_(&boundary), loaded_(&loaded), edges_(&edges), boxes_(&boxes), points_(kernel) {}
+    ContactCutter(Kernel<3>& kernel, const Boundary<3>& boundary, const BoundaryEdges& edges, const FaceBoxes& boxes)
+        : kernel_(&kernel), boundary_(&boundary), edges_(&edges), boxes_(&boxes), points_(kernel) {}
 
     /// The boundary with cuts, or nullopt where there is no such contact. Faces keep their numbers.
     /// Cost: a query of a box hierarchy for each edge.
@@ -179,7 +178,6 @@ private:
 
     Kernel<3>* kernel_;
     const Boundary<3>* boundary_;
-    const LoadedBoundary<3>* loaded_;
     const BoundaryEdges* edges_;
     const FaceBoxes* boxes_;
     PointInterner<3> points_;

@@ -32,7 +32,7 @@ public:
     /// Requires: faces do not cross each other (the boundary of a regular set). Otherwise shells are unspecified.
     explicit Shells(const Boundary<3>& boundary) {
         load_edges(boundary);
-        std::optional<Boundary<3>> cut = ContactCutter(kernel_, boundary, loaded_, *edges_, *boxes_).cut();
+        std::optional<Boundary<3>> cut = ContactCutter(kernel_, boundary, *edges_, *boxes_).cut();
         if (cut) {
             kernel_ = Kernel<3>();
             load_edges(*cut);

@@ -136,8 +136,10 @@ private:
     void finish_segments(FaceList& out, Source source) requires(D == 2) {
         LineSweep<D> sweep(*kernel_, edge_direction(*kernel_, plane_, no_id));
         for (const Edge& e : edges_) sweep.add(e.from, e.to);
-        out.begin_face(plane_, source);
+        bool any = false;
         sweep.run([&](PointId from, PointId to, bool) {
+            if (!any) out.begin_face(plane_, source);
+            any = true;
             const Corner segment[2] = {{from, end_plane(from, true)}, {to, end_plane(to, false)}};
             out.add_loop(segment);
         });

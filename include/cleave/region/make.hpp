@@ -127,7 +127,10 @@ template <class N = Rational>
             if (ids.empty() || ids.back() != p) ids.push_back(p);
         }
         while (ids.size() > 1 && ids.front() == ids.back()) ids.pop_back();
-        if (ids.size() < 3)
+        std::vector<PointId> different = ids;
+        std::sort(different.begin(), different.end());
+        different.erase(std::unique(different.begin(), different.end()), different.end());
+        if (different.size() < 3)
             throw ShapeError("loop " + std::to_string(l) + " has fewer than three different points; leave it out");
         for (std::size_t i = 0; i < ids.size(); ++i, ++edge) {
             const PointId q = ids[i + 1 == ids.size() ? 0 : i + 1];

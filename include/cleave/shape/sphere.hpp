@@ -16,6 +16,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -51,7 +52,8 @@ CLEAVE_BEGIN_NAMESPACE
 /// multiple of 4 (at least 4). A negative radius counts as its absolute value; radius 0 gives the empty set.
 /// Throws: NumberError for a coordinate that is infinite or NaN.
 template <class N = Rational>
-[[nodiscard]] Region<2, N> disc(const std::array<N, 2>& centre, const N& radius, std::uint32_t count = 32) {
+[[nodiscard]] Region<2, N> disc(const std::array<N, 2>& centre, const std::type_identity_t<N>& radius,
+                                std::uint32_t count = 32) {
     const RationalPoint<2> m = to_rational_point(centre);
     const Rational r = to_rational(radius);
     if (r == 0) return Region<2, N>::empty();
@@ -80,7 +82,8 @@ struct SphereOptions {
 /// absolute value; radius 0 gives the empty set.
 /// Throws: NumberError for a coordinate that is infinite or NaN.
 template <class N = Rational>
-[[nodiscard]] Region<3, N> sphere(const std::array<N, 3>& centre, const N& radius, const SphereOptions& options = {}) {
+[[nodiscard]] Region<3, N> sphere(const std::array<N, 3>& centre, const std::type_identity_t<N>& radius,
+                                  const SphereOptions& options = {}) {
     const RationalPoint<3> m = to_rational_point(centre);
     Rational r = to_rational(radius);
     if (r == 0) return Region<3, N>::empty();

@@ -19,7 +19,7 @@ Facet<2, N> segment(int x0, int y0, int x1, int y1) {
 
 }  // namespace
 
-TEMPLATE_LIST_TEST_CASE("clip 2d: the nine pairs of signs", "", ExactTypes) {
+TEMPLATE_LIST_TEST_CASE("clip 2d: the nine pairs of signs", "", RingAndField) {
     using N = TestType;
     const Plane<2, N> h = make_plane<N>(0, 1, 0);  // y <= 0 is inside
     // x grows with the sign of the end, so that no two segments are alike; y is the sign of the end point.

@@ -12,7 +12,7 @@
 
 using namespace cleave;
 
-TEMPLATE_LIST_TEST_CASE("edge plane: the neighbour's plane, turned so that the face is inside", "", ExactTypes) {
+TEMPLATE_LIST_TEST_CASE("edge plane: the neighbour's plane, turned so that the face is inside", "", RingAndField) {
     using N = TestType;
     // The bottom of a box seen from below: the edge along y = 0 runs from x = 2 to x = 0.
     const Plane<3, N> bottom = make_plane<N>(0, 0, -1, 0);
@@ -26,7 +26,7 @@ TEMPLATE_LIST_TEST_CASE("edge plane: the neighbour's plane, turned so that the f
     CHECK_THROWS_AS(edge_plane<N>(bottom, a, b, make_plane<N>(0, -1, 0, 1)), ContractViolation);
 }
 
-TEMPLATE_LIST_TEST_CASE("edge plane: A-T5, a coplanar neighbour gives way to an auxiliary plane", "", ExactTypes) {
+TEMPLATE_LIST_TEST_CASE("edge plane: A-T5, a coplanar neighbour gives way to an auxiliary plane", "", RingAndField) {
     using N = TestType;
     const Plane<3, N> top = make_plane<N>(1, 1, 3, -6);
     const Point<3, N> a = make_point<N>(0, 0, 2);

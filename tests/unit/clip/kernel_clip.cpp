@@ -271,4 +271,5 @@ TEST_CASE("kernel clip: proposed planes halve what can be halved") {
     std::vector<KernelFacet<2>> bundle;
     for (int i = 0; i < 20; ++i) bundle.push_back(s.segment({double(-i - 1), double(-i)}, {20, double(i + 1)}));
     CHECK(!s.clip.propose(bundle));
+    CHECK(!s.clip.propose({}));
 }

@@ -10,7 +10,7 @@
 
 using namespace cleave;
 
-TEMPLATE_LIST_TEST_CASE("make facet: points and segments in the order of join", "", ExactTypes) {
+TEMPLATE_LIST_TEST_CASE("make facet: points and segments in the order of join", "", RingAndField) {
     using N = TestType;
     CHECK(make_facet(make_point<N>(3), Sign::plus).plane == make_plane<N>(1, -3));
     CHECK(make_facet(make_point<N>(3), Sign::minus).plane == make_plane<N>(-1, 3));

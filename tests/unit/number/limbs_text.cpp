@@ -38,7 +38,9 @@ TEST_CASE("limbs_text: powers of ten around the chunk of nineteen digits") {
 
 TEST_CASE("limbs_text: leading zeros vanish, zero is one digit") {
     std::vector<Limb> a;
-    REQUIRE(limbs::from_decimal(std::string(50, '0') + "17", a));
+    std::string padded(50, '0');
+    padded += "17";
+    REQUIRE(limbs::from_decimal(padded, a));
     CHECK(limbs::to_decimal(a.data(), a.size()) == "17");
     REQUIRE(limbs::from_decimal(std::string(50, '0'), a));
     CHECK(a.empty());

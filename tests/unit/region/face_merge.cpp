@@ -260,4 +260,12 @@ TEST_CASE("face merge: ends and segments") {
         for (std::size_t i = 0; i < 2; ++i)
             CHECK(plane.point(list.loop(l)[i].point).approximation[0] == expected[l][i]);
     }
+
+    // There and back again: nothing remains, and no face without loops.
+    segments.begin(below);
+    const Corner zero{at_x(0), end(0)}, one{at_x(1), end(1)};
+    segments.add(std::array{zero, one});
+    segments.add(std::array{one, zero});
+    segments.finish(list, {5, 7});
+    CHECK(list.faces.size() == 1);
 }

@@ -177,8 +177,8 @@ TEST_CASE("polygons: holes, islands in holes, and loops that touch") {
 
 TEST_CASE("polygons: a loop of one or two points is named") {
     const Loop square = {{0, 0}, {8, 0}, {8, 8}, {0, 8}};
-    for (const Loop& flat :
-         {Loop{}, Loop{{1, 1}}, Loop{{1, 1}, {1, 1}, {1, 1}}, Loop{{1, 1}, {2, 2}}, Loop{{1, 1}, {2, 2}, {1, 1}}}) {
+    for (const Loop& flat : {Loop{}, Loop{{1, 1}}, Loop{{1, 1}, {1, 1}, {1, 1}}, Loop{{1, 1}, {2, 2}},
+                             Loop{{1, 1}, {2, 2}, {1, 1}}, Loop{{1, 1}, {2, 1}, {1, 1}, {2, 1}}}) {
         CHECK(has(shape_error({square, flat}), "loop 1 has fewer than three different points"));
         CHECK(has(shape_error({flat, square}), "loop 0 "));
     }
