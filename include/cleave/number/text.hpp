@@ -318,7 +318,8 @@ struct RoundedDecimal {
         if (point < count) text.insert(point, 1, '.');
     } else {
         if (count > 1) text.insert(1, 1, '.');
-        text += "e" + std::to_string(r.exponent);
+        text += 'e';
+        text += std::to_string(r.exponent);
     }
     return x.num.sign() == Sign::minus ? "-" + text : text;
 }
