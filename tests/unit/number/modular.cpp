@@ -75,6 +75,15 @@ TEMPLATE_TEST_CASE_SIG("modular: inverses, one at a time and in batches", "", ((
         CHECK(elements[i] / elements[i] == 1);
     }
     CHECK_THROWS_AS(Modular<P>(0).inverse(), NumberError);
+    // Powers of two and their negatives, which have a way of their own modulo 2^61-1.
+    for (int i = 0; i < 62; ++i) {
+        const Modular<P> power = Modular<P>(2).power(std::uint64_t(i));
+        CHECK(power * power.inverse() == Modular<P>(1));
+        CHECK(-power * (-power).inverse() == Modular<P>(1));
+        CHECK(power.inverse() == power.power(P - 2));
+    }
+    const Modular<P> largest = -Modular<P>(1);
+    CHECK(largest * largest == Modular<P>(1));
     CHECK(Modular<P>(0).power(0) == 1);
     CHECK(Modular<P>(3).power(4) == 81);
     invert_all(std::span<Modular<P>>());
