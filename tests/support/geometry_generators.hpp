@@ -39,7 +39,9 @@ struct Arbitrary<cleave::Plane<D, N>> {
             }
             return false;
         };
-        return gen::map(gen::suchThat(gen::container<Coefficients>(gen::inRange(-2, 3)), has_normal),
+        // Not smaller for small sizes: all zeros is no plane.
+        const auto entries = gen::resize(kNominalSize, gen::inRange(-2, 3));
+        return gen::map(gen::suchThat(gen::container<Coefficients>(entries), has_normal),
                         [](const Coefficients& c) { return cleave::make_plane<N>(c); });
     }
 };
@@ -49,7 +51,8 @@ struct Arbitrary<cleave::AffineMap<D, N>> {
     static Gen<cleave::AffineMap<D, N>> arbitrary() {
         using Row = std::array<int, std::size_t(D) + 1>;
         using Rows = std::array<Row, std::size_t(D)>;
-        const auto rows = gen::container<Rows>(gen::container<Row>(gen::inRange(-2, 3)));
+        // Not smaller for small sizes: all zeros has no inverse.
+        const auto rows = gen::container<Rows>(gen::container<Row>(gen::resize(kNominalSize, gen::inRange(-2, 3))));
         return gen::map(gen::pair(rows, gen::inRange(1, 4)), [](const std::pair<Rows, int>& drawn) {
             auto m = cleave::identity_matrix<D + 1, N>();
             for (std::size_t i = 0; i < std::size_t(D); ++i) {

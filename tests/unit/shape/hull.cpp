@@ -84,10 +84,10 @@ void check_hull(const std::vector<std::array<int, std::size_t(D)>>& drawn) {
 TEST_CASE("convex hull: of random points with small integer coordinates") {
     law("dimension 2", 200, [] {
         check_hull<2>(*rc::gen::container<std::vector<std::array<int, 2>>>(
-            *rc::gen::inRange(0, 9), rc::gen::container<std::array<int, 2>>(rc::small_coordinate())));
+            *rc::gen::inRange<std::size_t>(0, 9), rc::gen::container<std::array<int, 2>>(rc::small_coordinate())));
     });
     law("dimension 3", 100, [] {
         check_hull<3>(*rc::gen::container<std::vector<std::array<int, 3>>>(
-            *rc::gen::inRange(0, 11), rc::gen::container<std::array<int, 3>>(rc::small_coordinate())));
+            *rc::gen::inRange<std::size_t>(0, 11), rc::gen::container<std::array<int, 3>>(rc::small_coordinate())));
     });
 }
