@@ -76,12 +76,6 @@ need_program_libraries() {
 configure() {
     local preset=$1
     shift
-    if [ -z "${CMAKE_CXX_COMPILER_LAUNCHER:-}" ] && command -v ccache >/dev/null 2>&1; then
-        export CMAKE_CXX_COMPILER_LAUNCHER=ccache
-        # Lets ccache keep what was compiled with a precompiled header, and find it again from another clone.
-        export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
-        export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
-    fi
     [ -z "${CXX:-}" ] || set -- "-DCMAKE_CXX_COMPILER=$CXX" "$@"
     cmake --preset "$preset" "$@"
 }

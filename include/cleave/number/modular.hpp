@@ -85,13 +85,16 @@ public:
     friend constexpr Modular operator/(Modular a, Modular b) { return a /= b; }
     friend constexpr bool operator==(Modular a, Modular b) noexcept = default;
 
-    /// This to the n-th power; the zeroth power is one.
+    /// This to the n-th power; the zeroth power is one. Cost: 14 products and five for every four bits of n.
     [[nodiscard]] constexpr Modular power(std::uint64_t n) const noexcept {
-        Modular result = raw(1);
-        Modular square = *this;
-        for (; n != 0; n >>= 1) {
-            if ((n & 1) != 0) result *= square;
-            square *= square;
+        Modular powers[16];
+        powers[0] = raw(1);
+        for (int i = 1; i < 16; ++i) powers[i] = powers[i - 1] * *this;
+        const int top = n == 0 ? 0 : (static_cast<int>(std::bit_width(n)) - 1) / 4 * 4;
+        Modular result = powers[n >> top];
+        for (int shift = top - 4; shift >= 0; shift -= 4) {
+            for (int i = 0; i < 4; ++i) result *= result;
+            result *= powers[(n >> shift) & 15];
         }
         return result;
     }
@@ -106,18 +109,7 @@ public:
             if (std::has_single_bit(value_)) return raw(inverse_of_bit(value_));
             if (std::has_single_bit(P - value_)) return raw(P - inverse_of_bit(P - value_));
         }
-        // Four bits of the exponent at a time.
-        Modular powers[16];
-        powers[0] = raw(1);
-        for (int i = 1; i < 16; ++i) powers[i] = powers[i - 1] * *this;
-        constexpr std::uint64_t n = P - 2;
-        constexpr int top = (k - 1) / 4 * 4;
-        Modular result = powers[(n >> top) & 15];
-        for (int shift = top - 4; shift >= 0; shift -= 4) {
-            for (int i = 0; i < 4; ++i) result *= result;
-            result *= powers[(n >> shift) & 15];
-        }
-        return result;
+        return power(P - 2);
     }
 
 private:

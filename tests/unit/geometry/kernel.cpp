@@ -5,6 +5,7 @@
 #include <cleave/number/traits.hpp>
 
 #include "support/catch.hpp"
+#include "support/kernel_planes.hpp"
 
 #include <array>
 #include <cmath>
@@ -14,15 +15,9 @@
 #include <vector>
 
 using namespace cleave;
+using namespace support;
 
 namespace {
-
-template <std::size_t D>
-using Doubles = std::array<double, D>;
-
-PlaneId plane_of(Kernel<3>& kernel, int a, int b, int c, int d) {
-    return kernel.planes.intern({Integer(a), Integer(b), Integer(c), Integer(d)});
-}
 
 std::array<Rational, 3> rationals(Kernel<3>& kernel, PointId p) {
     const Homogeneous<3> x = kernel.coordinates(p);

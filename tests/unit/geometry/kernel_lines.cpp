@@ -2,20 +2,10 @@
 #include <cleave/geometry/kernel_lines.hpp>
 //
 #include "support/catch.hpp"
+#include "support/kernel_planes.hpp"
 
 using namespace cleave;
-
-namespace {
-
-template <std::size_t D>
-using Doubles = std::array<double, D>;
-
-template <class Kernel3>
-PlaneId plane_of(Kernel3& kernel, int a, int b, int c, int d) {
-    return kernel.planes.intern({Integer(a), Integer(b), Integer(c), Integer(d)});
-}
-
-}  // namespace
+using namespace support;
 
 TEST_CASE("kernel lines: an edge runs along n_f x n_e, whatever the orientations") {
     Kernel<3> kernel;

@@ -2,21 +2,12 @@
 #include <cleave/geometry/point_interner.hpp>
 //
 #include "support/catch.hpp"
+#include "support/kernel_planes.hpp"
 
 #include <vector>
 
 using namespace cleave;
-
-namespace {
-
-template <std::size_t D>
-using Doubles = std::array<double, D>;
-
-PlaneId plane_of(Kernel<3>& kernel, int a, int b, int c, int d) {
-    return kernel.planes.intern({Integer(a), Integer(b), Integer(c), Integer(d)});
-}
-
-}  // namespace
+using namespace support;
 
 TEST_CASE("point interner: the ten names of a point on five planes are one point") {
     Kernel<3> kernel;

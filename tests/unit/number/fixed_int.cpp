@@ -162,12 +162,11 @@ TEST_CASE("fixed_int: built-in integers at their limits") {
 
 TEST_CASE("fixed_int: usable in constant expressions, trivially copyable, no larger than its limbs") {
     constexpr FixedInt<256> a = FixedInt<256>(std::numeric_limits<std::int64_t>::min()) * 3 - 1;
-    static_assert(a + 1 == FixedInt<256>(std::numeric_limits<std::int64_t>::min()) * 3);
-    static_assert(a < 0 && (-a).sign() == Sign::plus);
-    static_assert(multiply(FixedInt<64>(-2), FixedInt<64>(3)) == FixedInt<128>(-6));
-    static_assert(std::is_trivially_copyable_v<FixedInt<256>>);
-    static_assert(sizeof(FixedInt<256>) == 32);
-    static_assert(std::is_convertible_v<FixedInt<128>, FixedInt<256>>);
-    static_assert(!std::is_convertible_v<FixedInt<256>, FixedInt<128>>);
-    SUCCEED();
+    STATIC_REQUIRE(a + 1 == FixedInt<256>(std::numeric_limits<std::int64_t>::min()) * 3);
+    STATIC_REQUIRE(a < 0 && (-a).sign() == Sign::plus);
+    STATIC_REQUIRE(multiply(FixedInt<64>(-2), FixedInt<64>(3)) == FixedInt<128>(-6));
+    STATIC_REQUIRE(std::is_trivially_copyable_v<FixedInt<256>>);
+    STATIC_REQUIRE(sizeof(FixedInt<256>) == 32);
+    STATIC_REQUIRE(std::is_convertible_v<FixedInt<128>, FixedInt<256>>);
+    STATIC_REQUIRE(!std::is_convertible_v<FixedInt<256>, FixedInt<128>>);
 }

@@ -90,8 +90,7 @@ TEMPLATE_TEST_CASE_SIG("modular: inverses, one at a time and in batches", "", ((
 }
 
 TEST_CASE("modular: usable in constant expressions") {
-    static_assert(Mod61(2).power(61) == Mod61(1));
-    static_assert(Mod62(2).power(62) == Mod62(57));
-    static_assert(Mod61(7) * Mod61(7).inverse() == Mod61(1));
-    SUCCEED();
+    STATIC_REQUIRE(Mod61(2).power(61) == Mod61(1));
+    STATIC_REQUIRE(Mod62(2).power(62) == Mod62(57));
+    STATIC_REQUIRE(Mod61(7) * Mod61(7).inverse() == Mod61(1));
 }
