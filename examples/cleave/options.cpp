@@ -82,8 +82,10 @@ void add_boolean(CLI::App& app, Options& options, const BooleanCommand& boolean)
     command->add_option("FILES", options.inputs)->expected(1, 1 << 20)->option_text("A B [C...]");
     command->add_option("-o,--output", options.output, "File to write: OFF, OBJ or STL; replaced if it exists")
         ->option_text("OUT");
-    command->add_option("--engine", options.engine_name, "How to work it out: automatic (default) or boundary-filter")
-        ->check(CLI::IsMember({"automatic", "boundary-filter"}))
+    command
+        ->add_option("--engine", options.engine_name,
+                     "How to work it out: automatic (default), boundary-filter or tree-merge")
+        ->check(CLI::IsMember({"automatic", "boundary-filter", "tree-merge"}))
         ->option_text("NAME");
     add_common(*command, options);
     command->footer(std::string(boolean.example) +
@@ -93,6 +95,7 @@ void add_boolean(CLI::App& app, Options& options, const BooleanCommand& boolean)
         options.command = Options::Command::boolean;
         options.operation = boolean.operation;
         if (options.engine_name == "boundary-filter") options.engine = Engine::boundary_filter;
+        if (options.engine_name == "tree-merge") options.engine = Engine::tree_merge;
     });
 }
 
@@ -169,6 +172,6 @@ const char* operation_name(Operation operation) {
     return "";
 }
 
-const char* engine_name(Engine) {
-    return "boundary-filter";
+const char* engine_name(Engine engine) {
+    return engine == Engine::tree_merge ? "tree-merge" : "boundary-filter";
 }

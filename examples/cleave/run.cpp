@@ -8,7 +8,7 @@
 #include <cleave/mesh/from_region.hpp>
 #include <cleave/mesh/to_region.hpp>
 #include <cleave/query/components.hpp>
-#include <cleave/setop/apply.hpp>
+#include <cleave/setop/engines.hpp>
 
 #include <algorithm>
 #include <array>
@@ -114,11 +114,10 @@ OperandReport report_of(Context& context, const std::string& file, const Solid& 
 Solid operate(const Options& options, std::vector<Solid> operands, ProgressReporter& progress) {
     constexpr std::size_t room = BooleanFunction::max_arity;
     OperationOptions settings;
-    settings.engine = options.engine;
     settings.progress = &progress;
     const auto evaluate_some = [&](Operation operation, std::span<const Solid> some) {
-        return evaluate<3, Rational>(BooleanFunction::from(operation, static_cast<unsigned>(some.size())), some,
-                                     settings);
+        return evaluate<3, Rational>(
+            options.engine, BooleanFunction::from(operation, static_cast<unsigned>(some.size())), some, settings);
     };
     const bool is_difference = options.operation == Operation::difference;
     const Operation inner = is_difference ? Operation::union_ : options.operation;

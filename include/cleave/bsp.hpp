@@ -13,6 +13,10 @@
 /// | `bsp/classify.hpp`    | where a point lies                                                          |
 /// | `bsp/complement.hpp`  | new labels, and the complement                                              |
 /// | `bsp/collapse.hpp`    | superfluous cuts dropped                                                    |
+/// | `bsp/cells.hpp`       | cells of branches, sub-hyperplanes, the part of a tree inside a cell        |
+/// | `bsp/merge.hpp`       | two trees become one, by any rule for common cells                          |
+/// | `bsp/tree_boundary.hpp` | the boundary of a tree's set                                              |
+/// | `bsp/trim.hpp`        | cuts without boundary dropped                                               |
 /// | `bsp/statistics.hpp`  | counts and depths                                                           |
 /// | `bsp/invariant.hpp`   | checkers                                                                    |
 ///
@@ -23,15 +27,19 @@
 
 #include <cleave/bsp/bsp_tree.hpp>
 #include <cleave/bsp/build.hpp>
+#include <cleave/bsp/cells.hpp>
 #include <cleave/bsp/classify.hpp>
 #include <cleave/bsp/collapse.hpp>
 #include <cleave/bsp/complement.hpp>
 #include <cleave/bsp/facet_tree.hpp>
 #include <cleave/bsp/invariant.hpp>
 #include <cleave/bsp/lazy_tree.hpp>
+#include <cleave/bsp/merge.hpp>
 #include <cleave/bsp/pivot.hpp>
 #include <cleave/bsp/statistics.hpp>
 #include <cleave/bsp/tree.hpp>
+#include <cleave/bsp/tree_boundary.hpp>
+#include <cleave/bsp/trim.hpp>
 #include <cleave/bsp/visit.hpp>
 
 #endif

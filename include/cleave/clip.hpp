@@ -16,6 +16,9 @@
 /// | clip/loop         | that walk: five cases, no vertex ever dropped                                             |
 /// | clip/clip_model   | `ClipModel<D, N>`: all of it as a model, for a user's number                              |
 /// | clip/kernel_clip  | the model over the indexed kernel                                                         |
+/// | clip/polytope     | convex polytopes of any dimension by vertex incidences, and their cuts                    |
+/// | clip/polytope_clip | facets and cells of any dimension as a model                                             |
+/// | clip/propose      | structural cuts from boxes                                                                |
 /// | clip/face         | `Face<D, N>`: polygons with holes on one plane, and their facets                          |
 /// | clip/cut_face     | cutting a face into facets along lines of its own edges                                   |
 #ifndef CLEAVE_CLIP_HPP
@@ -37,5 +40,8 @@
 #include <cleave/clip/loop.hpp>
 #include <cleave/clip/make_facet.hpp>
 #include <cleave/clip/pencil.hpp>
+#include <cleave/clip/polytope.hpp>
+#include <cleave/clip/polytope_clip.hpp>
+#include <cleave/clip/propose.hpp>
 
 #endif

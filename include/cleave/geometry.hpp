@@ -20,6 +20,9 @@
 /// | geometry/kernel          | the indexed kernel: interned planes, lazily exact points, filtered predicates      |
 /// | geometry/handles         | its handles                                                                        |
 /// | geometry/plane_table     | its planes                                                                         |
+/// | geometry/point_record    | what it knows of a point                                                           |
+/// | geometry/residues        | minors and doubles modulo 2^61-1                                                   |
+/// | geometry/bounds          | boxes around points known up to an error                                           |
 /// | geometry/kernel_lines    | its lines                                                                          |
 /// | geometry/point_interner  | the identity of its points                                                         |
 ///
@@ -29,6 +32,7 @@
 #define CLEAVE_GEOMETRY_HPP
 
 #include <cleave/geometry/affine_map.hpp>
+#include <cleave/geometry/bounds.hpp>
 #include <cleave/geometry/box.hpp>
 #include <cleave/geometry/box_hierarchy.hpp>
 #include <cleave/geometry/canonical.hpp>
@@ -46,7 +50,9 @@
 #include <cleave/geometry/point.hpp>
 #include <cleave/geometry/point_box.hpp>
 #include <cleave/geometry/point_interner.hpp>
+#include <cleave/geometry/point_record.hpp>
 #include <cleave/geometry/relation.hpp>
+#include <cleave/geometry/residues.hpp>
 #include <cleave/geometry/side.hpp>
 
 #endif

@@ -5,10 +5,14 @@
 
 #include <cleave/region/boundary.hpp>
 #include <cleave/region/build.hpp>
+#include <cleave/region/canonical.hpp>
 #include <cleave/region/conform.hpp>
+#include <cleave/region/convex.hpp>
 #include <cleave/region/face_merge.hpp>
 #include <cleave/region/facets.hpp>
+#include <cleave/region/far_point.hpp>
 #include <cleave/region/make.hpp>
+#include <cleave/region/polytope_faces.hpp>
 #include <cleave/region/region.hpp>
 
 #endif

@@ -5,6 +5,10 @@
 
 #include <cleave/setop/apply.hpp>
 #include <cleave/setop/boundary_filter.hpp>
+#include <cleave/setop/engines.hpp>
+#include <cleave/setop/filter_evaluation.hpp>
 #include <cleave/setop/operators.hpp>
+#include <cleave/setop/options.hpp>
+#include <cleave/setop/tree_evaluation.hpp>
 
 #endif

@@ -44,6 +44,15 @@ struct Split {
     std::optional<F> plus;
 };
 
+/// The parts of a cut cell; all three are there if `side` is crossing, none otherwise.
+template <class C, class F>
+struct CellSplit {
+    FacetSide side = FacetSide::crossing;
+    std::optional<C> minus;
+    std::optional<C> plus;
+    std::optional<F> lid;
+};
+
 // clang-format off
 /// See the table at the head of this file. Models may be stateful (split may create points), hence `M&`.
 template <class M>
@@ -81,6 +90,17 @@ concept LocatingClip = Clip<M> && requires(M& m, const typename M::facet_type& f
 template <class M>
 concept ProposingClip = Clip<M> && requires(M& m, std::span<const typename M::facet_type> facets) {
     { m.propose(facets) } -> std::convertible_to<std::optional<typename M::plane_type>>;
+};
+
+/// A model that knows convex cells, the sets that the branches of a tree stand for. `universe()` is all of space; a cell
+/// always has an interior. `split_cell` cuts one: both parts and the *lid* between them, a facet that faces as the plane
+/// does, or none of them where the cell lies on one side (it may touch the plane), as `cell_side` says.
+template <class M>
+concept CellClip = Clip<M> && requires(M& m, const typename M::plane_type& h, const typename M::cell_type& c) {
+    requires std::movable<typename M::cell_type>;
+    { m.universe() } -> std::same_as<typename M::cell_type>;
+    { m.cell_side(h, c) } -> std::same_as<FacetSide>;   // minus, plus or crossing
+    { m.split_cell(h, c) } -> std::same_as<CellSplit<typename M::cell_type, typename M::facet_type>>;
 };
 // clang-format on
 

@@ -6,6 +6,8 @@
 #include <cleave/base/contract.hpp>
 #include <cleave/clip/concepts.hpp>
 #include <cleave/clip/loop.hpp>
+#include <cleave/clip/propose.hpp>
+#include <cleave/geometry/bounds.hpp>
 #include <cleave/geometry/kernel.hpp>
 
 #include <algorithm>
@@ -20,46 +22,6 @@
 #include <vector>
 
 CLEAVE_BEGIN_NAMESPACE
-
-/// A closed axis-parallel box of doubles that contains what it bounds; empty where lo > hi.
-template <int D>
-struct Bounds {
-    std::array<double, D> lo = all(std::numeric_limits<double>::infinity());
-    std::array<double, D> hi = all(-std::numeric_limits<double>::infinity());
-
-    /// Whether the closed boxes have no common point.
-    [[nodiscard]] bool disjoint(const Bounds& other) const noexcept {
-        for (std::size_t i = 0; i < D; ++i)
-            if (hi[i] < other.lo[i] || other.hi[i] < lo[i]) return true;
-        return false;
-    }
-
-    void include(const Bounds& other) noexcept {
-        for (std::size_t i = 0; i < D; ++i) {
-            lo[i] = std::min(lo[i], other.lo[i]);
-            hi[i] = std::max(hi[i], other.hi[i]);
-        }
-    }
-
-    /// Includes every position of a point whose coordinates are known up to `error`: all of space for a point beyond
-    /// the range of doubles. The widening by 2^-51 |x| covers the rounding of the sums themselves.
-    void include(const std::array<double, D>& x, double error) noexcept {
-        constexpr double infinity = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < D; ++i) {
-            const double slack = error == 0 ? 0 : error + std::abs(x[i]) * 0x1p-51 + 0x1p-1060;
-            const bool known = slack < infinity;
-            lo[i] = std::min(lo[i], known ? x[i] - slack : -infinity);
-            hi[i] = std::max(hi[i], known ? x[i] + slack : infinity);
-        }
-    }
-
-private:
-    static constexpr std::array<double, D> all(double x) {
-        std::array<double, D> a{};
-        a.fill(x);
-        return a;
-    }
-};
 
 /// A facet: an oriented plane, a run of corners in the model's pool, and a box.
 template <int D>
@@ -105,19 +67,7 @@ public:
     [[nodiscard]] PlaneId plane_of(const facet_type& f) const noexcept { return f.plane; }
     [[nodiscard]] PlaneId flip_plane(PlaneId h) const noexcept { return flipped(h); }
 
-    [[nodiscard]] PlaneRelation relation(PlaneId h, PlaneId g) const {
-        if (h == g) return PlaneRelation::same;
-        if (unoriented(h) == unoriented(g)) return PlaneRelation::opposite;
-        const auto& a = kernel_->planes.exact(unoriented(h));
-        const auto& b = kernel_->planes.exact(unoriented(g));
-        std::size_t pivot = 0;
-        while (a[pivot].is_zero()) ++pivot;
-        for (std::size_t i = 0; i < D; ++i)
-            if (!(WideInteger(a[i]) * WideInteger(b[pivot]) == WideInteger(b[i]) * WideInteger(a[pivot])))
-                return PlaneRelation::crossing;
-        // Canonical planes have a positive first normal entry, so parallel ones are co-oriented as stored.
-        return is_flipped(h) == is_flipped(g) ? PlaneRelation::parallel : PlaneRelation::antiparallel;
-    }
+    [[nodiscard]] PlaneRelation relation(PlaneId h, PlaneId g) const { return kernel_->planes.relation(h, g); }
 
     /// The side of h on which the point lies.
     Sign side(PlaneId h, PointId p) { return kernel_->side(h, p); }
@@ -201,54 +151,12 @@ public:
 
     [[nodiscard]] PointId witness(const facet_type& f) const { return pool_[f.first].point; }
 
-    /// An axis-parallel plane near the median of the facets' boxes, at the end of some facet's box so that grids stay
-    /// unsplit. nullopt unless each side keeps at most nine tenths of the facets.
+    /// See `propose_axis_cut`.
     std::optional<PlaneId> propose(std::span<const facet_type> facets) {
-        if (facets.empty()) return std::nullopt;
-        box_type all;
-        for (const facet_type& f : facets) all.include(f.box);
-        std::size_t best_worse = facets.size() - facets.size() / 10;
-        std::size_t best_crossing = facets.size();
-        int best_axis = -1;
-        double best_position = 0;
-        std::array<int, D> axes{};
-        for (int i = 0; i < D; ++i) axes[std::size_t(i)] = i;
-        std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return extent(all, a) > extent(all, b); });
-        for (const int axis : axes) {
-            const auto i = std::size_t(axis);
-            if (!(extent(all, axis) < std::numeric_limits<double>::infinity())) continue;  // nor has it a middle
-            centres_.clear();
-            for (const facet_type& f : facets) centres_.push_back({f.box.lo[i] / 2 + f.box.hi[i] / 2, f.box.lo[i]});
-            const auto middle = centres_.begin() + std::ptrdiff_t(centres_.size() / 2);
-            std::nth_element(centres_.begin(), middle, centres_.end());
-            const double position = middle->second > all.lo[i] ? middle->second : middle->first;
-            if (!(position > all.lo[i] && position < all.hi[i])) continue;
-            std::size_t minus = 0;
-            std::size_t plus = 0;
-            for (const facet_type& f : facets) {
-                if (f.box.hi[i] <= position)
-                    ++minus;
-                else if (f.box.lo[i] >= position)
-                    ++plus;
-            }
-            if (minus == 0 || plus == 0) continue;
-            const std::size_t crossing = facets.size() - minus - plus;
-            const std::size_t worse = std::max(minus, plus) + crossing;
-            if (worse < best_worse || (worse == best_worse && crossing < best_crossing && best_axis >= 0)) {
-                best_worse = worse;
-                best_crossing = crossing;
-                best_axis = axis;
-                best_position = position;
-            }
-            if (best_axis >= 0 && best_worse < facets.size() * 3 / 5) break;  // good enough: spare the other axes
-        }
-        if (best_axis < 0) return std::nullopt;
-        return kernel_->planes.intern_axis_plane(best_axis, best_position);
+        return propose_axis_cut<D>(*kernel_, facets, centres_);
     }
 
 private:
-    static double extent(const box_type& b, int axis) { return b.hi[std::size_t(axis)] - b.lo[std::size_t(axis)]; }
-
     void bound(facet_type& f) {
         f.box = {};
         for (std::uint32_t i = 0; i < f.size; ++i) {

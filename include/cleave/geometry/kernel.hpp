@@ -5,6 +5,11 @@
 /// approximation with a proven absolute error bound; predicates try, in this order, identity ("this point was made from
 /// this plane"), the floating-point filter, a refined approximation (the point is computed exactly once), and the exact
 /// sign. Constructed points never define planes, so no number grows beyond the bound of the input planes.
+///
+/// Points at infinity are meets with planes of the *infimaximal frame* (`PlaneTable::frame`), x_i = R and x_i = -R with
+/// R larger than every number: their homogeneous coordinates are a + b R with integers a and b, and a weight without R
+/// [Mehlhorn-Seel-2003]. Every sign is that of the factor of R, or where it is zero of the rest. Filters never decide
+/// about them.
 #ifndef CLEAVE_GEOMETRY_KERNEL_HPP
 #define CLEAVE_GEOMETRY_KERNEL_HPP
 
@@ -12,6 +17,8 @@
 #include <cleave/base/contract.hpp>
 #include <cleave/geometry/handles.hpp>
 #include <cleave/geometry/plane_table.hpp>
+#include <cleave/geometry/point_record.hpp>
+#include <cleave/geometry/residues.hpp>
 #include <cleave/number/builtin.hpp>
 #include <cleave/number/filter.hpp>
 #include <cleave/number/sign.hpp>
@@ -23,45 +30,11 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 CLEAVE_BEGIN_NAMESPACE
-
-/// Homogeneous integer coordinates X_1, ..., X_D and a weight W > 0.
-template <int D>
-using Homogeneous = std::array<Integer, D + 1>;
-
-/// What is known of one point. `planes` are unoriented planes through it (`no_id` where unknown); a meet has D of them.
-template <int D>
-struct PointRecord {
-    enum class Kind : std::uint8_t { doubles, integers, meet };
-
-    std::array<double, D> approximation{};
-    /// |x_i - approximation_i| <= error for every i; 0: exact; infinity: not known yet.
-    double error = 0;
-    std::array<std::uint32_t, D> planes = filled();
-    /// Index of the exact coordinates, `no_id` while they are not needed (a `doubles` point never needs them).
-    std::uint32_t exact = no_id;
-    Kind kind = Kind::doubles;
-    bool rounded = true;  ///< whether the approximation is the correctly rounded value of each coordinate
-
-private:
-    static constexpr std::array<std::uint32_t, D> filled() {
-        std::array<std::uint32_t, D> a{};
-        a.fill(no_id);
-        return a;
-    }
-};
-
-/// Counts of what the predicates of one kernel had to do.
-struct KernelCounts {
-    std::uint64_t sides = 0;            ///< side tests asked for
-    std::uint64_t by_identity = 0;      ///< zero because the point was made from the plane
-    std::uint64_t filter_failures = 0;  ///< not decided by the first approximation
-    std::uint64_t exact_tests = 0;      ///< decided by exact arithmetic
-    std::uint64_t exact_points = 0;     ///< constructed points computed exactly
-};
 
 /// See the head of this file. Not thread-safe: each operation has its own.
 template <int D>
@@ -71,6 +44,8 @@ public:
     using Record = PointRecord<D>;
     using Exact = Homogeneous<D>;
     using Residues = std::array<Mod61, D>;
+    /// The factors of R in the homogeneous coordinates of a point.
+    using Reach = std::array<Integer, D>;
 
     PlaneTable<D> planes;
 
@@ -110,6 +85,7 @@ public:
         r.rounded = false;
         r.planes = through;
         r.error = std::numeric_limits<double>::infinity();
+        place_on_axes(r);
         return push(r);
     }
 
@@ -140,8 +116,24 @@ public:
         r.rounded = false;
         for (std::size_t i = 0; i + 1 < D; ++i) r.planes[i] = line[i];
         r.planes[D - 1] = unoriented(h);
-        interpolate(unoriented(h), points_[a], points_[b], r);
+        if (!place_on_axes(r)) interpolate(unoriented(h), points_[a], points_[b], r);
         return push(r);
+    }
+
+    /// Whether p lies on the frame, that is, some coordinate is infinite.
+    [[nodiscard]] bool is_infinite(PointId p) const {
+        const Record& r = points_[p];
+        if (!planes.has_frame() || r.kind != Record::Kind::meet) return false;
+        for (const std::uint32_t k : r.planes)
+            if (planes.reach(k) != 0) return true;
+        return false;
+    }
+
+    /// The factors of R in the coordinates of `exact(p)`; null for a finite point. Valid until the next point.
+    const Reach* reach(PointId p) {
+        if (!is_infinite(p)) return nullptr;
+        exact(p);
+        return &reaches_.at(points_[p].exact);
     }
 
     /// The exact coordinates of p, not reduced. Computed once for a meet and kept.
@@ -150,6 +142,7 @@ public:
         if (r.exact == no_id) {
             r.exact = store(r.kind == Record::Kind::doubles ? from_doubles(r.approximation) : meet(r.planes));
             if (r.kind == Record::Kind::meet) ++counts_.exact_points;
+            if (is_infinite(p)) reaches_.emplace(r.exact, meet_reach(r.planes));
         }
         return exact_[r.exact];
     }
@@ -159,7 +152,10 @@ public:
         Record& r = points_[p];
         if (r.rounded) return;
         exact(p);
-        approximate(points_[p]);
+        if (is_infinite(p))
+            points_[p].rounded = true;  // the error stays infinite
+        else
+            approximate(points_[p]);
     }
 
     /// The order of coordinate `axis` of p and q.
@@ -188,6 +184,7 @@ public:
         exact(q);
         const Exact& x = exact_[points_[p].exact];
         const Exact& y = exact_[points_[q].exact];
+        if (const Sign s = compare_reach(i, p, q); s != Sign::zero) return s;
         return (WideInteger(x[i]) * WideInteger(y[D]) - WideInteger(y[i]) * WideInteger(x[D])).sign();
     }
 
@@ -215,8 +212,11 @@ public:
         } else {
             const Exact& e = exact(p);
             for (std::size_t i = 0; i <= D; ++i) h[i] = Mod61(e[i].modulo_61());
+            if (const Reach* b = reach(p))
+                for (std::size_t i = 0; i < D; ++i) h[i] += Mod61((*b)[i].modulo_61()) * planes.reach_residue();
         }
         if (h[D].value() == 0) {
+            if (is_infinite(p)) return std::nullopt;
             Exact e = exact(p);
             Integer g = e[D];
             for (std::size_t i = 0; i < D; ++i) g = gcd(g, e[i]);
@@ -254,6 +254,21 @@ public:
         const bool negate = v[D].sign() == Sign::minus;
         for (std::size_t i = 0; i <= D; ++i) e[i] = Integer(negate ? -v[i] : v[i]);
         return e;
+    }
+
+    /// The factors of R in what `meet` gives: minors are linear in the column of offsets, and it holds all the R.
+    Reach meet_reach(const std::array<std::uint32_t, D>& through) const {
+        std::array<std::array<Integer, D + 1>, D> rows;
+        RowsView<D, D + 1, Integer> view{};
+        for (std::size_t i = 0; i < D; ++i) {
+            rows[i] = planes.exact(through[i]);
+            rows[i][D] = Integer(planes.reach(through[i]));
+            view.row[i] = &rows[i];
+        }
+        const auto v = minors<WideInteger>(view);
+        Reach b;
+        for (std::size_t i = 0; i < D; ++i) b[i] = Integer(v[D].sign() == Sign::minus ? -v[i] : v[i]);
+        return b;
     }
 
     /// The plane through D points, plus side by the order of the points (outward-ordered points face outward); nullopt
@@ -366,6 +381,9 @@ private:
             if (distance(k, points_[p], value, bound)) return value > 0 ? Sign::plus : Sign::minus;
         }
         ++counts_.exact_tests;
+        if (planes.has_frame()) {
+            if (const Sign s = side_at_infinity(k, p); s != Sign::zero) return s;
+        }
         const auto& n = planes.exact(k);
         const Record& r = points_[p];
         WideInteger sum;
@@ -377,6 +395,44 @@ private:
             for (std::size_t i = 0; i <= D; ++i) add_product(sum, n[i], e[i]);
         }
         return sum.sign();
+    }
+
+    /// The sign of the factor of R in n . x + c w.
+    Sign side_at_infinity(std::uint32_t k, PointId p) {
+        const int c = planes.reach(k);
+        const Reach* b = reach(p);
+        if (b == nullptr) return sign_of_value(c);  // weights are positive
+        WideInteger sum;
+        for (std::size_t i = 0; i < D; ++i) add_product(sum, planes.exact(k)[i], (*b)[i]);
+        if (c != 0) add_product(sum, Integer(c), exact(p)[D]);
+        return sum.sign();
+    }
+
+    /// The order of the factors of R in coordinate i of p and q, both with exact coordinates.
+    Sign compare_reach(std::size_t i, PointId p, PointId q) {
+        if (!planes.has_frame()) return Sign::zero;
+        const Reach* a = reach(p);
+        const Reach* b = reach(q);
+        WideInteger difference;
+        if (a != nullptr) add_product(difference, (*a)[i], exact_[points_[q].exact][D]);
+        if (b != nullptr) sub_product(difference, (*b)[i], exact_[points_[p].exact][D]);
+        return difference.sign();
+    }
+
+    /// Turns a meet of D axis-parallel planes at doubles into the point of doubles that it is. Returns whether it was.
+    bool place_on_axes(Record& r) const {
+        std::array<double, D> x{};
+        for (const std::uint32_t k : r.planes) {
+            const int axis = planes.axis(k);
+            if (axis < 0) return false;
+            x[std::size_t(axis)] = planes.axis_position(k);
+            if (!(x[std::size_t(axis)] == x[std::size_t(axis)])) return false;
+        }
+        r.approximation = x;
+        r.error = 0;
+        r.kind = Record::Kind::doubles;
+        r.rounded = true;
+        return true;
     }
 
     /// Approximates the crossing of h with the segment ab by X = A + T (B - A), T = |DA| / (|DA| + |DB|).
@@ -412,49 +468,9 @@ private:
         if (!(r.error < 0x1p1000)) r.error = std::numeric_limits<double>::infinity();
     }
 
-    /// Maximal minors with alternating signs, by cofactors: D is at most 3 where residues of meets are asked for often.
-    static std::array<Mod61, D + 1> residue_minors(const std::array<std::array<Mod61, D + 1>, D>& m) {
-        std::array<Mod61, D + 1> v;
-        for (std::size_t skip = 0; skip <= D; ++skip) {
-            std::array<std::size_t, D> columns{};
-            for (std::size_t i = 0, c = 0; c <= D; ++c)
-                if (c != skip) columns[i++] = c;
-            const Mod61 det = residue_determinant(m, columns, 0);
-            v[skip] = skip % 2 == 0 ? det : Mod61(0) - det;
-        }
-        return v;
-    }
-
-    template <std::size_t K>
-    static Mod61 residue_determinant(const std::array<std::array<Mod61, D + 1>, D>& m,
-                                     const std::array<std::size_t, K>& columns, std::size_t row) {
-        if constexpr (K == 1) {
-            return m[row][columns[0]];
-        } else {
-            Mod61 sum(0);
-            for (std::size_t skip = 0; skip < K; ++skip) {
-                std::array<std::size_t, K - 1> rest{};
-                for (std::size_t i = 0, c = 0; c < K; ++c)
-                    if (c != skip) rest[i++] = columns[c];
-                const Mod61 term = m[row][columns[skip]] * residue_determinant(m, rest, row + 1);
-                sum = skip % 2 == 0 ? sum + term : sum - term;
-            }
-            return sum;
-        }
-    }
-
-    static Mod61 residue_of(double x) {
-        const DoubleParts parts = decompose(x);
-        if (parts.mantissa == 0) return Mod61(0);
-        // 2^61 = 1 modulo 2^61-1, so exponents count modulo 61.
-        const auto e = unsigned(((parts.exponent % 61) + 61) % 61);
-        const std::uint64_t m = parts.mantissa < 0 ? std::uint64_t(-parts.mantissa) : std::uint64_t(parts.mantissa);
-        const Mod61 value = Mod61(m) * Mod61(std::uint64_t(1) << e);
-        return parts.mantissa < 0 ? Mod61(0) - value : value;
-    }
-
     std::vector<Record> points_;
     std::vector<Exact> exact_;
+    std::unordered_map<std::uint32_t, Reach> reaches_;  // by the index of the exact coordinates
     KernelCounts counts_;
 };
 

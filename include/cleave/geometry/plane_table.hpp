@@ -5,6 +5,7 @@
 
 #include <cleave/base/contract.hpp>
 #include <cleave/geometry/handles.hpp>
+#include <cleave/geometry/plane_relation.hpp>
 #include <cleave/number/double.hpp>
 #include <cleave/number/integer.hpp>
 #include <cleave/number/modular.hpp>
@@ -54,8 +55,44 @@ public:
 
     /// Interns plane k of another table. Cost: a hash look-up, and a copy where it is new.
     std::uint32_t intern_from(const PlaneTable& other, std::uint32_t k) {
+        if (const int r = other.reach(k); r != 0) return frame(other.axis_of_frame(k), r < 0);
         return intern_canonical(other.exact_[k], &other, k);
     }
+
+    /// The plane x_axis = R (`upper`) or x_axis = -R of the infimaximal frame, unoriented; R is a symbol larger than
+    /// every number. Its `exact` coefficients are those of x_axis = 0, and `reach` tells the rest. It is no ordinary
+    /// plane: nothing else is ever interned as it. Made when first asked for.
+    std::uint32_t frame(int axis, bool upper) {
+        const std::size_t which = 2 * std::size_t(axis) + (upper ? 1 : 0);
+        if (frame_[which] != no_id) return frame_[which];
+        const auto k = static_cast<std::uint32_t>(exact_.size());
+        Coefficients c{};
+        c[std::size_t(axis)] = Integer(1);
+        Approximation a{};
+        a[std::size_t(axis)] = 1;
+        a[D] = std::nan("");  // so that every filter fails
+        Residues r;
+        r[std::size_t(axis)] = Mod61(1);
+        r[D] = upper ? Mod61(0) - reach_residue() : reach_residue();
+        exact_.push_back(std::move(c));
+        approximations_.push_back(a);
+        residues_.push_back(r);
+        hashes_.push_back(hash(r));
+        axes_.push_back(-1);
+        positions_.push_back(std::nan(""));
+        reaches_.resize(std::size_t(k) + 1, 0);
+        reaches_[k] = upper ? -1 : 1;
+        return frame_[which] = k;
+    }
+
+    /// The factor of R in the offset of plane k: -1 for x_axis = R, 1 for x_axis = -R, 0 for an ordinary plane.
+    [[nodiscard]] int reach(std::uint32_t k) const noexcept { return k < reaches_.size() ? reaches_[k] : 0; }
+    /// Whether some plane of the frame is in the table; if not, every point is finite.
+    [[nodiscard]] bool has_frame() const noexcept { return !reaches_.empty(); }
+
+    /// What stands for R modulo 2^61-1, so that residues of points and planes at infinity are consistent like others:
+    /// an arbitrary fixed number, because equal residues are always confirmed exactly.
+    [[nodiscard]] static constexpr Mod61 reach_residue() noexcept { return Mod61(0x123456789abcdefULL); }
 
     /// Interns the axis-parallel plane x_axis = position, facing the positive direction.
     PlaneId intern_axis_plane(int axis, double position) {
@@ -65,6 +102,21 @@ public:
         c[std::size_t(axis)] = Integer::scaled(1, fraction ? unsigned(-parts.exponent) : 0U);
         c[D] = -Integer::scaled(parts.mantissa, fraction ? 0U : unsigned(parts.exponent));
         return intern(std::move(c));
+    }
+
+    /// How two oriented planes lie with respect to each other.
+    [[nodiscard]] PlaneRelation relation(PlaneId h, PlaneId g) const {
+        if (h == g) return PlaneRelation::same;
+        if (unoriented(h) == unoriented(g)) return PlaneRelation::opposite;
+        const Coefficients& a = exact_[unoriented(h)];
+        const Coefficients& b = exact_[unoriented(g)];
+        std::size_t pivot = 0;
+        while (a[pivot].is_zero()) ++pivot;
+        for (std::size_t i = 0; i < D; ++i)
+            if (!(WideInteger(a[i]) * WideInteger(b[pivot]) == WideInteger(b[i]) * WideInteger(a[pivot])))
+                return PlaneRelation::crossing;
+        // Canonical planes have a positive first normal entry, so parallel ones are co-oriented as stored.
+        return is_flipped(h) == is_flipped(g) ? PlaneRelation::parallel : PlaneRelation::antiparallel;
     }
 
     void reserve(std::size_t n) {
@@ -89,6 +141,18 @@ public:
     }
 
 private:
+    [[nodiscard]] int axis_of_frame(std::uint32_t k) const {
+        int axis = 0;
+        while (exact_[k][std::size_t(axis)].is_zero()) ++axis;
+        return axis;
+    }
+
+    static constexpr std::array<std::uint32_t, 2 * D> no_frame() {
+        std::array<std::uint32_t, 2 * D> a{};
+        a.fill(no_id);
+        return a;
+    }
+
     static void make_primitive(Coefficients& c, std::uint32_t& orientation) {
         int first = 0;
         while (first < D && c[std::size_t(first)].is_zero()) ++first;
@@ -186,6 +250,7 @@ private:
         slots_.assign(n, no_id);
         for (std::size_t k = 0; k < hashes_.size(); ++k) {
             std::size_t at = std::size_t(hashes_[k]) & (n - 1);
+            if (reach(static_cast<std::uint32_t>(k)) != 0) continue;
             while (slots_[at] != no_id) at = (at + 1) & (n - 1);
             slots_[at] = static_cast<std::uint32_t>(k);
         }
@@ -197,6 +262,8 @@ private:
     std::vector<std::uint64_t> hashes_;
     std::vector<int> axes_;
     std::vector<double> positions_;
+    std::vector<std::int8_t> reaches_;  // shorter than the table where it ends in ordinary planes
+    std::array<std::uint32_t, 2 * D> frame_ = no_frame();
     std::vector<std::uint32_t> slots_;
 };
 

@@ -233,7 +233,7 @@ struct Connectivity {
 template <class N>
 [[nodiscard]] Connectivity connectivity(const Region<3, N>& region) {
     Shells shells(region.boundary());
-    const ShellComponents components(shells, !region.is_bounded());
+    const ShellComponents components(shells, region.boundary().value_at_infinity);
     return {shells.is_closed(), shells.count(), components.count()};
 }
 
@@ -244,7 +244,7 @@ template <class N>
 [[nodiscard]] std::vector<Region<3, N>> components(const Region<3, N>& region) {
     const Boundary<3>& boundary = region.boundary();
     Shells shells(boundary);
-    const ShellComponents found(shells, !region.is_bounded());
+    const ShellComponents found(shells, region.boundary().value_at_infinity);
     if (found.count() == 1) return {region};
     const BoundaryEdges& edges = shells.edges();
     Kernel<3>& kernel = shells.kernel();
@@ -270,7 +270,7 @@ template <class N>
     }
     std::vector<Region<3, N>> result;
     for (std::size_t c = 0; c < faces.size(); ++c)
-        result.emplace_back(freeze(kernel, faces[c], c == 0 && !region.is_bounded(), points));
+        result.emplace_back(freeze(kernel, faces[c], c == 0 && region.boundary().value_at_infinity, points));
     return result;
 }
 

@@ -55,8 +55,24 @@ struct Boundary {
     std::vector<Homogeneous<D>> exact;  ///< of the points whose record says so
     FaceList faces;
     Bounds<D> bounds;
-    bool value_at_infinity = false;  ///< whether the points far away belong to the set
+    /// Whether the far point belongs to the set: where (t, t^2, ..., t^D) comes to stay as t grows. For a set that is
+    /// bounded or has a bounded complement, whether it contains the points far away.
+    bool value_at_infinity = false;
+    bool is_finite = true;  ///< whether every point is finite: no face is unbounded
+
+    /// Whether the set lies in some box.
+    [[nodiscard]] bool is_bounded() const noexcept {
+        // On the line the other infinity has the same value if the number of ends is even.
+        return is_finite && !value_at_infinity && (D > 1 || faces.faces.size() % 2 == 0);
+    }
 };
+
+/// Turns the loop of a facet round, as the same facet facing the other way has it. D = 3: edge planes stay with their
+/// edges, (p_i, e_i) becomes (p_i, e_{i-1}) in reverse order. D >= 4: the order of incidences means nothing.
+template <int D>
+void reverse_loop(std::vector<Corner>& loop) {
+    if constexpr (D <= 3) KernelClip<D>::reverse_corners(loop);
+}
 
 /// Collects the planes and points that `list` uses, renumbered in order of first use. `canonical` maps each kernel
 /// point to the one that stands for all points at its place.
@@ -84,6 +100,11 @@ Boundary<D> freeze(Kernel<D>& kernel, const FaceList& list, bool value_at_infini
             out.bounds.include(r.approximation, r.error);
             for (std::uint32_t& k : r.planes)
                 if (k != no_id) k = r.kind == PointRecord<D>::Kind::meet ? unoriented(map_plane(2 * k)) : plane_map[k];
+            if (kernel.is_infinite(p)) {
+                out.is_finite = false;
+                r.exact = no_id;  // its planes say all
+                r.rounded = false;
+            }
             if (r.exact != no_id) {
                 out.exact.push_back(kernel.exact(p));
                 r.exact = static_cast<std::uint32_t>(out.exact.size() - 1);

@@ -337,6 +337,27 @@ private:
     std::vector<Corner> loop_;
 };
 
+/// Above D = 3 a face is the list of its convex pieces, which stay as they are.
+template <int D>
+requires(D >= 4) class FaceMerger<D> {
+public:
+    FaceMerger(Kernel<D>& /*kernel*/, PointInterner<D>& /*points*/) {}
+
+    void begin(PlaneId f) {
+        plane_ = f;
+        pieces_.clear();
+    }
+    void add(std::span<const Corner> piece) { pieces_.emplace_back(piece.begin(), piece.end()); }
+    void finish(FaceList& out, Source source) {
+        if (!pieces_.empty()) out.begin_face(plane_, source);
+        for (const std::vector<Corner>& piece : pieces_) out.add_loop(piece);
+    }
+
+private:
+    PlaneId plane_ = no_id;
+    std::vector<std::vector<Corner>> pieces_;
+};
+
 CLEAVE_END_NAMESPACE
 
 #endif

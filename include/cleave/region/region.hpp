@@ -12,8 +12,8 @@
 
 CLEAVE_BEGIN_NAMESPACE
 
-/// A regular set in dimension D (the closure of its interior, boundary measure zero), bounded or with a bounded
-/// complement. Empty and full are ordinary values.
+/// A regular set in dimension D (the closure of its interior, with a boundary of finitely many flat faces), bounded or
+/// not. Empty and full are ordinary values.
 ///
 /// `N` is the interface's number type: what coordinates and measures are given in. Inside, planes are primitive
 /// integers and points are doubles or names of planes, whatever N is, so results do not depend on it.
@@ -42,8 +42,10 @@ public:
 
     [[nodiscard]] bool is_empty() const noexcept { return face_count() == 0 && !boundary_->value_at_infinity; }
     [[nodiscard]] bool is_full() const noexcept { return face_count() == 0 && boundary_->value_at_infinity; }
-    /// Whether the set lies in some box. A region that does not has a complement that does.
-    [[nodiscard]] bool is_bounded() const noexcept { return !boundary_->value_at_infinity; }
+    /// Whether the set lies in some box.
+    [[nodiscard]] bool is_bounded() const noexcept { return boundary_->is_bounded(); }
+    /// Whether its boundary does: so do those of bounded sets and of their complements.
+    [[nodiscard]] bool has_bounded_boundary() const noexcept { return boundary_->is_finite; }
 
     [[nodiscard]] std::size_t face_count() const noexcept { return boundary_->faces.faces.size(); }
     [[nodiscard]] const Boundary<D>& boundary() const noexcept { return *boundary_; }
@@ -78,7 +80,7 @@ template <int D, class N>
             const std::uint32_t first = b.faces.loop_first[l];
             const std::uint32_t last = b.faces.loop_first[l + 1];
             loop.assign(b.faces.corners.begin() + first, b.faces.corners.begin() + last);
-            KernelClip<D>::reverse_corners(loop);
+            reverse_loop<D>(loop);
             std::copy(loop.begin(), loop.end(), b.faces.corners.begin() + first);
         }
     }

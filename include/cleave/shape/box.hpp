@@ -4,6 +4,7 @@
 #define CLEAVE_SHAPE_BOX_HPP
 
 #include <cleave/mesh/to_region.hpp>
+#include <cleave/region/convex.hpp>
 #include <cleave/region/make.hpp>
 #include <cleave/shape/rational_point.hpp>
 
@@ -11,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 CLEAVE_BEGIN_NAMESPACE
 
@@ -19,8 +21,8 @@ CLEAVE_BEGIN_NAMESPACE
 /// Faces: 2 D, in 3-D six rectangles in the order -x, +x, -y, +y, -z, +z.
 /// Throws: NumberError for a coordinate that is infinite or NaN.
 template <int D, class N = Rational>
-requires(1 <= D && D <= 3) [[nodiscard]] Region<D, N> box(const std::array<N, std::size_t(D)>& corner,
-                                                          const std::array<N, std::size_t(D)>& opposite) {
+[[nodiscard]] Region<D, N> box(const std::array<N, std::size_t(D)>& corner,
+                               const std::array<N, std::size_t(D)>& opposite) {
     RationalPoint<D> lo = to_rational_point(corner);
     RationalPoint<D> hi = to_rational_point(opposite);
     for (std::size_t i = 0; i < std::size_t(D); ++i) {
@@ -31,6 +33,20 @@ requires(1 <= D && D <= 3) [[nodiscard]] Region<D, N> box(const std::array<N, st
         return Region<1, N>(intervals<Rational>({{lo[0], hi[0]}}));
     } else if constexpr (D == 2) {
         return Region<2, N>(polygon<Rational>({{lo[0], lo[1]}, {hi[0], lo[1]}, {hi[0], hi[1]}, {lo[0], hi[1]}}));
+    } else if constexpr (D >= 4) {
+        std::vector<Plane<D, Rational>> planes;
+        for (std::size_t i = 0; i < std::size_t(D); ++i) {
+            typename Plane<D, Rational>::Coefficients low;
+            for (Rational& x : low) x = 0;
+            typename Plane<D, Rational>::Coefficients high = low;
+            low[i] = -1;
+            low[D] = lo[i];
+            high[i] = 1;
+            high[D] = -hi[i];
+            planes.emplace_back(std::move(low));
+            planes.emplace_back(std::move(high));
+        }
+        return Region<D, N>(half_spaces<D, Rational>(planes));
     } else {
         RationalMesh mesh;
         for (std::size_t corner_bits = 0; corner_bits < 8; ++corner_bits) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cleave/region/canonical.hpp>
 #include <cleave/setop/apply.hpp>
+#include <cleave/setop/engines.hpp>
 //
 #include "support/catch.hpp"
 #include "support/cuboids.hpp"
@@ -196,11 +198,11 @@ TEST_CASE("evaluate: counts of what was done") {
 
 TEST_CASE("evaluate: every engine gives the same, and so does every number type") {
     const std::array<Region<2>, 2> squares{box<2>({0, 0}, {4, 4}), box<2>({1, -1}, {3, 9})};
-    OperationOptions options;
     for (const Operation op : all_operations) {
         const std::string usual = dump(apply(op, squares[0], squares[1]).boundary());
-        options.engine = Engine::boundary_filter;
-        CHECK(dump(apply(op, squares[0], squares[1], options).boundary()) == usual);
+        CHECK(dump(apply(Engine::boundary_filter, op, squares[0], squares[1]).boundary()) == usual);
+        CHECK(canonical(apply(Engine::tree_merge, op, squares[0], squares[1])) ==
+              canonical(apply(op, squares[0], squares[1])));
         CHECK(dump(evaluate<2, Rational>(BooleanFunction::from(op, 2), squares).boundary()) == usual);
         const Region<2, double> a(squares[0]);
         CHECK(dump(apply(op, a, Region<2, double>(squares[1])).boundary()) == usual);

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a kernel knows of a point, and what it counts.
+#ifndef CLEAVE_GEOMETRY_POINT_RECORD_HPP
+#define CLEAVE_GEOMETRY_POINT_RECORD_HPP
+
+#include <cleave/geometry/handles.hpp>
+#include <cleave/number/integer.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+CLEAVE_BEGIN_NAMESPACE
+
+/// Homogeneous integer coordinates X_1, ..., X_D and a weight W > 0.
+template <int D>
+using Homogeneous = std::array<Integer, D + 1>;
+
+/// What is known of one point. `planes` are unoriented planes through it (`no_id` where unknown); a meet has D of them.
+template <int D>
+struct PointRecord {
+    enum class Kind : std::uint8_t { doubles, integers, meet };
+
+    std::array<double, D> approximation{};
+    /// |x_i - approximation_i| <= error for every i; 0: exact; infinity: not known yet.
+    double error = 0;
+    std::array<std::uint32_t, D> planes = filled();
+    /// Index of the exact coordinates, `no_id` while they are not needed (a `doubles` point never needs them).
+    std::uint32_t exact = no_id;
+    Kind kind = Kind::doubles;
+    bool rounded = true;  ///< whether the approximation is the correctly rounded value of each coordinate
+
+private:
+    static constexpr std::array<std::uint32_t, D> filled() {
+        std::array<std::uint32_t, D> a{};
+        a.fill(no_id);
+        return a;
+    }
+};
+
+/// Counts of what the predicates of one kernel had to do.
+struct KernelCounts {
+    std::uint64_t sides = 0;            ///< side tests asked for
+    std::uint64_t by_identity = 0;      ///< zero because the point was made from the plane
+    std::uint64_t filter_failures = 0;  ///< not decided by the first approximation
+    std::uint64_t exact_tests = 0;      ///< decided by exact arithmetic
+    std::uint64_t exact_points = 0;     ///< constructed points computed exactly
+};
+
+CLEAVE_END_NAMESPACE
+
+#endif
