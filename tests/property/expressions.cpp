@@ -46,13 +46,13 @@ template <int D>
 Expression<D> random_expression(const std::vector<Region<D>>& operands, int steps) {
     const auto arity = unsigned(operands.size());
     const auto leaf = [&] {
-        const auto i = *rc::gen::inRange(0U, arity);
+        const auto i = unsigned(draw_index(arity));
         return Expression<D>{BooleanFunction::operand(i, arity), operands[i]};
     };
     Expression<D> e = leaf();
     for (int s = 0; s < steps; ++s) {
         const Expression<D> other = leaf();
-        switch (*rc::gen::inRange(0, 5)) {
+        switch (draw_int(0, 5)) {
             case 0:
                 e = {e.function | other.function, e.region | other.region};
                 break;
@@ -85,15 +85,15 @@ std::vector<Region<D>> regions(const std::vector<Solid<D>>& solids) {
 TEMPLATE_TEST_CASE("expressions: counts and parity of many operands", "", Dimension<1>, Dimension<2>, Dimension<3>) {
     constexpr int D = TestType::value;
     law("at least m of k", cases<D>(10), [] {
-        const auto k = *rc::gen::inRange(std::size_t(3), std::size_t(6));
-        const auto a = regions(*rc::gen::container<std::vector<Solid<D>>>(k, rc::gen::arbitrary<Solid<D>>()));
+        const std::size_t k = 3 + draw_index(3);
+        const auto a = regions(draw_vector<Solid<D>>(k));
         for (unsigned m = 1; m <= k; ++m)
             RC_ASSERT(equal_sets(checked_evaluate<D, Rational>(BooleanFunction::at_least(m, unsigned(k)), a),
                                  at_least(m, a)));
     });
     law("parity and difference", cases<D>(20), [] {
-        const auto k = *rc::gen::inRange(std::size_t(3), std::size_t(6));
-        const auto a = regions(*rc::gen::container<std::vector<Solid<D>>>(k, rc::gen::arbitrary<Solid<D>>()));
+        const std::size_t k = 3 + draw_index(3);
+        const auto a = regions(draw_vector<Solid<D>>(k));
         Region<D> odd = a[0];
         Region<D> left = a[0];
         for (std::size_t i = 1; i < k; ++i) {
@@ -109,13 +109,13 @@ TEMPLATE_TEST_CASE("expressions: counts and parity of many operands", "", Dimens
 TEMPLATE_TEST_CASE("expressions: any formula", "", Dimension<1>, Dimension<2>, Dimension<3>) {
     constexpr int D = TestType::value;
     law("at once and step by step", cases<D>(30), [] {
-        const auto k = *rc::gen::inRange(std::size_t(3), std::size_t(6));
-        const auto a = regions(*rc::gen::container<std::vector<Solid<D>>>(k, rc::gen::arbitrary<Solid<D>>()));
-        const Expression<D> e = random_expression(a, *rc::gen::inRange(1, 8));
+        const std::size_t k = 3 + draw_index(3);
+        const auto a = regions(draw_vector<Solid<D>>(k));
+        const Expression<D> e = random_expression(a, draw_int(1, 8));
         RC_ASSERT(equal_sets(checked_evaluate<D, Rational>(e.function, a), e.region));
     });
     law("atoms add up to the union", cases<D>(10), [] {
-        const auto solids = *rc::gen::container<std::vector<BoundedSolid<D>>>(3, rc::gen::arbitrary<BoundedSolid<D>>());
+        const auto solids = draw_vector<BoundedSolid<D>>(3);
         const auto a = regions(std::vector<Solid<D>>(solids.begin(), solids.end()));
         Rational sum(0);
         std::array<Rational, 3> parts{Rational(0), Rational(0), Rational(0)};

@@ -149,9 +149,9 @@ TEMPLATE_TEST_CASE("laws: membership", "", Dimension<1>, Dimension<2>, Dimension
     using R = Region<D>;
 
     law("a point belongs to a result as it belongs to the operands", cases<D>(60), [] {
-        const auto first = *rc::gen::arbitrary<Solid<D>>();
-        const auto second = *rc::gen::arbitrary<Solid<D>>();
-        const auto probes = *rc::gen::container<std::vector<ProbePoint<D>>>(12, rc::gen::arbitrary<ProbePoint<D>>());
+        const auto first = draw<Solid<D>>();
+        const auto second = draw<Solid<D>>();
+        const auto probes = draw_vector<ProbePoint<D>>(12);
         const R a = first.region();
         const R b = second.region();
         for (const Operation operation : all_operations) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The test framework as every test sees it: Catch2 (2.13 or 3) with rapidcheck's `rc::prop`, whichever is installed,
-/// and what the tests of real models and of long loops need.
+/// The test framework as every test sees it: Catch2, 2.13 or 3, whichever is installed, with rapidcheck's assertions,
+/// and what the tests of real models and of long loops need. Properties are written with support/property.hpp.
 ///
 /// `RC_PARAMS="seed=7 max_success=1000"` sets rapidcheck's seed and number of cases; without a seed it is always 1.
 /// `CLEAVE_TEST_SCALE=20` makes `scaled(n)` a fifth of n, for slow builds (sanitizers).
@@ -10,16 +10,17 @@
 
 #if __has_include(<catch2/catch_all.hpp>)
 #define CLEAVE_TEST_CATCH_VERSION 3
-#include <rapidcheck.h>
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators_all.hpp>
 #include <catch2/matchers/catch_matchers_all.hpp>
 #else
 #define CLEAVE_TEST_CATCH_VERSION 2
-#include <rapidcheck/catch.h>
 #include <catch2/catch.hpp>
 #endif
+
+#include <rapidcheck/Assertions.h>
+#include <rapidcheck/Log.h>
 
 #include <cstddef>
 #include <cstdio>
@@ -29,24 +30,6 @@
 #include <set>
 #include <sstream>
 #include <string>
-
-#if CLEAVE_TEST_CATCH_VERSION >= 3
-namespace rc {
-
-/// Checks a property as a section of the running test case. rapidcheck's own form of it is for Catch2 2 alone.
-template <class Testable>
-void prop(const std::string& description, Testable&& testable) {
-    SECTION(description) {
-        const auto result = detail::checkTestable(std::forward<Testable>(testable));
-        std::ostringstream report;
-        detail::printResultMessage(result, report);
-        INFO(report.str());
-        CHECK(result.template is<detail::SuccessResult>());
-    }
-}
-
-}  // namespace rc
-#endif
 
 /// The test cases that said they cannot run here. The main program tells it which test case is running.
 class SkippedTests {

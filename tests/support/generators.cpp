@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// rapidcheck's generators take seconds to compile wherever they are defined: once for all tests.
+// rapidcheck's generators of numbers take seconds to compile wherever they are defined: once for all tests.
 #include "support/generators.hpp"
+
+#include <rapidcheck.h>
 
 #include <bit>
 #include <cstdint>
@@ -8,8 +10,16 @@
 
 namespace generators {
 
+namespace {
+
+/// -limit .. limit, all equally likely in every case, 0 the simplest and then 1, -1, 2, ...
+rc::Gen<int> up_to(int limit) {
+    return rc::gen::map(rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, 2 * limit + 1)),
+                        [](int i) { return i % 2 == 0 ? -(i / 2) : (i + 1) / 2; });
+}
+
 rc::Gen<int> small_integer() {
-    return rc::gen::weightedOneOf<int>({{6, rc::gen::inRange(-3, 4)}, {1, rc::gen::inRange(-20, 21)}});
+    return rc::gen::weightedOneOf<int>({{6, up_to(3)}, {1, up_to(20)}, {1, rc::gen::just(0)}});
 }
 
 rc::Gen<cleave::Integer> wide_integer(int limbs) {
@@ -38,12 +48,26 @@ rc::Gen<cleave::Fraction> fraction() {
         const bool zero = drawn.second.is_zero();
         return cleave::make_fraction(drawn.first, zero ? cleave::Integer(1) : drawn.second);
     };
-    return rc::gen::map(rc::gen::pair(integer(), rc::gen::weightedOneOf<cleave::Integer>(
-                                                     {{3, rc::gen::just(cleave::Integer(1))}, {3, integer()}})),
+    return rc::gen::map(rc::gen::pair(integer(4), rc::gen::weightedOneOf<cleave::Integer>(
+                                                      {{3, rc::gen::just(cleave::Integer(1))}, {3, integer(4)}})),
                         make);
 }
 
-std::vector<cleave::Fraction> draw(std::size_t count, bool fractions, int limbs) {
+}  // namespace
+
+cleave::Integer draw_wide_integer(int limbs) {
+    return *wide_integer(limbs);
+}
+
+cleave::Integer draw_integer(int limbs) {
+    return *integer(limbs);
+}
+
+cleave::Fraction draw_fraction() {
+    return *fraction();
+}
+
+std::vector<cleave::Fraction> draw_fractions(std::size_t count, bool fractions, int limbs) {
     const auto entry = fractions ? fraction() : rc::gen::map(integer(limbs), [](const cleave::Integer& x) {
         return cleave::Fraction{x, 1};
     });
@@ -51,12 +75,12 @@ std::vector<cleave::Fraction> draw(std::size_t count, bool fractions, int limbs)
 }
 
 std::vector<int> draw_repeats(int count) {
-    return *rc::gen::container<std::vector<int>>(static_cast<std::size_t>(count), rc::gen::inRange(-2 * count, count));
+    return support::draw_ints(static_cast<std::size_t>(count), -2 * count, count);
 }
 
-rc::Gen<double> finite_double() {
-    return rc::gen::weightedOneOf<double>(
-        {{3, rc::gen::map(rc::gen::inRange(-64, 65), [](int x) { return x / 8.0; })},
+double draw_finite_double() {
+    return *rc::gen::weightedOneOf<double>(
+        {{3, rc::gen::map(up_to(64), [](int x) { return x / 8.0; })},
          {2, rc::gen::map(rc::gen::arbitrary<std::uint64_t>(), [](std::uint64_t bits) {
               const double x = std::bit_cast<double>(bits);
               return x - x == 0 ? x : 1.0;  // infinities and NaNs become 1

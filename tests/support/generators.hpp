@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// rapidcheck generators of exact numbers, vectors and matrices. Small integers are the rule, so that equal entries,
-/// zero minors and coincident planes are frequent; now and then a number is wide.
+/// Random exact numbers, vectors and matrices, drawn in the body of a property. Small integers are the rule, so that
+/// equal entries, zero minors and coincident planes are frequent; now and then a number is wide.
 #ifndef CLEAVE_TESTS_SUPPORT_GENERATORS_HPP
 #define CLEAVE_TESTS_SUPPORT_GENERATORS_HPP
 
-#include "support/catch.hpp"
+#include "support/property.hpp"
 
 #include <cleave/algebra/matrix.hpp>
 #include <cleave/number/builtin.hpp>
@@ -17,7 +17,7 @@
 
 CLEAVE_BEGIN_NAMESPACE
 
-// How rapidcheck shows a counterexample. Catch finds these too.
+// How a counterexample is shown. Catch finds these too.
 template <unsigned InlineLimbs>
 std::ostream& operator<<(std::ostream& out, const BasicInteger<InlineLimbs>& x) {
     return out << x.to_string();
@@ -30,16 +30,14 @@ CLEAVE_END_NAMESPACE
 
 namespace generators {
 
-// The generators are compiled once, in generators.cpp.
-
-/// -3 .. 3 mostly, each of them about as often as zero twice.
-[[nodiscard]] rc::Gen<int> small_integer();
+// The draws are compiled once, in generators.cpp. One type for every backend and size: each type that rapidcheck draws
+// costs seconds of compilation.
 
 /// Any number of up to about `limbs` limbs, with long runs of equal bits at times.
-[[nodiscard]] rc::Gen<cleave::Integer> wide_integer(int limbs = 4);
+[[nodiscard]] cleave::Integer draw_wide_integer(int limbs = 4);
 
-/// A small integer mostly, one of up to about `limbs` limbs now and then.
-[[nodiscard]] rc::Gen<cleave::Integer> integer(int limbs = 4);
+/// -3 .. 3 mostly, zero twice as often as the others, a number of up to about `limbs` limbs now and then.
+[[nodiscard]] cleave::Integer draw_integer(int limbs = 4);
 
 /// How wide the entries of matrices may be, in limbs, so that determinants fit.
 template <class N>
@@ -48,14 +46,16 @@ template <unsigned Bits>
 inline constexpr int widest_limbs<cleave::FixedInt<Bits>> = Bits / 2048;
 
 /// A fraction with small numerator and denominator mostly, a wide one now and then; lowest terms.
-[[nodiscard]] rc::Gen<cleave::Fraction> fraction();
+[[nodiscard]] cleave::Fraction draw_fraction();
 
-/// `count` fractions, or integers of up to `limbs` limbs. One type for every backend and size, because each type that
-/// rapidcheck draws costs seconds of compilation.
-[[nodiscard]] std::vector<cleave::Fraction> draw(std::size_t count, bool fractions, int limbs);
+/// `count` fractions, or integers of up to `limbs` limbs.
+[[nodiscard]] std::vector<cleave::Fraction> draw_fractions(std::size_t count, bool fractions, int limbs);
 
 /// For each of `count` rows: negative, or the index of the row it is made from.
 [[nodiscard]] std::vector<int> draw_repeats(int count);
+
+/// A finite double: small integers and simple binary fractions mostly, any bit pattern otherwise.
+[[nodiscard]] double draw_finite_double();
 
 /// A number of N from its value.
 template <cleave::ExactRing N>
@@ -72,7 +72,8 @@ template <cleave::ExactRing N>
 template <int D, cleave::ExactRing N>
 [[nodiscard]] cleave::Vector<D, N> vector() {
     constexpr auto size = static_cast<std::size_t>(D);
-    const std::vector<cleave::Fraction> drawn = draw(size, cleave::number_traits<N>::is_field, widest_limbs<N>);
+    const std::vector<cleave::Fraction> drawn =
+        draw_fractions(size, cleave::number_traits<N>::is_field, widest_limbs<N>);
     cleave::Vector<D, N> v;
     for (std::size_t i = 0; i < size; ++i) v[i] = from_value<N>(drawn[i]);
     return v;
@@ -100,9 +101,6 @@ template <int Rows, int Columns, cleave::ExactRing N>
     }
     return m;
 }
-
-/// A finite double: small integers and simple binary fractions mostly, any bit pattern otherwise.
-[[nodiscard]] rc::Gen<double> finite_double();
 
 }  // namespace generators
 

@@ -1,69 +1,97 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Random points, planes and maps for rapidcheck, with small integers so that coincidences are common.
+/// Random points, planes and maps for properties, with small integers so that coincidences are common.
 #ifndef CLEAVE_TESTS_SUPPORT_GEOMETRY_GENERATORS_HPP
 #define CLEAVE_TESTS_SUPPORT_GEOMETRY_GENERATORS_HPP
 
-#include "support/catch.hpp"
+#include "support/property.hpp"
 
 #include <cleave/geometry/affine_map.hpp>
 #include <cleave/geometry/plane.hpp>
 #include <cleave/geometry/point.hpp>
 
-#include <array>
 #include <cstddef>
+#include <ostream>
+#include <span>
+#include <utility>
+#include <vector>
 
-namespace rc {
+namespace generators {
+
+// Compiled once, in geometry_generators.cpp: integers from which points, planes and maps over any number are made.
+
+/// The homogeneous coordinates of `count` points, one point after the other. Early cases have few different ones.
+[[nodiscard]] std::vector<int> draw_points(std::size_t count, std::size_t dimension);
+
+/// The same of two different points in the plane, and of three points in space that are not on a line.
+[[nodiscard]] std::vector<int> draw_segment();
+[[nodiscard]] std::vector<int> draw_triangle();
+
+/// The coefficients of a plane: not all but the last are zero.
+[[nodiscard]] std::vector<int> draw_plane(std::size_t dimension);
+
+/// The rows of a map, row by row, and its weight. Many are singular.
+[[nodiscard]] std::vector<int> draw_map(std::size_t dimension);
+
+/// Writes numbers as (1, 2 : 3), the last one apart.
+void show_homogeneous(std::ostream& out, std::span<const cleave::Fraction> numbers);
+
+template <std::size_t Size, class N>
+void show_homogeneous(std::ostream& out, const std::array<N, Size>& numbers) {
+    std::array<cleave::Fraction, Size> fractions;
+    for (std::size_t i = 0; i < Size; ++i) fractions[i] = cleave::number_traits<N>::to_fraction(numbers[i]);
+    show_homogeneous(out, std::span<const cleave::Fraction>(fractions));
+}
+
+/// The point number `index` of those drawn.
+template <int D, class N>
+[[nodiscard]] cleave::Point<D, N> point(const std::vector<int>& drawn, std::size_t index = 0) {
+    typename cleave::Point<D, N>::Homogeneous h;
+    for (std::size_t i = 0; i <= std::size_t(D); ++i) h[i] = N(drawn[index * (std::size_t(D) + 1) + i]);
+    return cleave::Point<D, N>(std::move(h));
+}
+
+}  // namespace generators
+
+namespace support {
 
 template <int D, class N>
-struct Arbitrary<cleave::Point<D, N>> {
-    static Gen<cleave::Point<D, N>> arbitrary() {
-        using Numerators = std::array<int, std::size_t(D)>;
-        return gen::map(gen::pair(gen::container<Numerators>(gen::inRange(-4, 5)),
-                                  gen::weightedElement<int>({{6, 1}, {1, 2}, {1, 3}})),
-                        [](const std::pair<Numerators, int>& drawn) {
-                            typename cleave::Point<D, N>::Homogeneous h;
-                            for (std::size_t i = 0; i < std::size_t(D); ++i) h[i] = N(drawn.first[i]);
-                            h[D] = N(drawn.second);
-                            return cleave::Point<D, N>(h);
-                        });
+struct Drawn<cleave::Point<D, N>> {
+    static cleave::Point<D, N> draw() { return generators::point<D, N>(generators::draw_points(1, std::size_t(D))); }
+    static void show(std::ostream& out, const cleave::Point<D, N>& p) {
+        generators::show_homogeneous(out << "point ", p.homogeneous());
     }
 };
 
 template <int D, class N>
-struct Arbitrary<cleave::Plane<D, N>> {
-    static Gen<cleave::Plane<D, N>> arbitrary() {
-        using Coefficients = std::array<int, std::size_t(D) + 1>;
-        const auto has_normal = [](const Coefficients& c) {
-            for (std::size_t i = 0; i < std::size_t(D); ++i) {
-                if (c[i] != 0) return true;
-            }
-            return false;
-        };
-        // Not smaller for small sizes: all zeros is no plane.
-        const auto entries = gen::resize(kNominalSize, gen::inRange(-2, 3));
-        return gen::map(gen::suchThat(gen::container<Coefficients>(entries), has_normal),
-                        [](const Coefficients& c) { return cleave::make_plane<N>(c); });
+struct Drawn<cleave::Plane<D, N>> {
+    static cleave::Plane<D, N> draw() {
+        const std::vector<int> drawn = generators::draw_plane(std::size_t(D));
+        typename cleave::Plane<D, N>::Coefficients c;
+        for (std::size_t i = 0; i <= std::size_t(D); ++i) c[i] = N(drawn[i]);
+        return cleave::Plane<D, N>(std::move(c));
+    }
+    static void show(std::ostream& out, const cleave::Plane<D, N>& h) {
+        generators::show_homogeneous(out << "plane ", h.coefficients());
     }
 };
 
 template <int D, class N>
-struct Arbitrary<cleave::AffineMap<D, N>> {
-    static Gen<cleave::AffineMap<D, N>> arbitrary() {
-        using Row = std::array<int, std::size_t(D) + 1>;
-        using Rows = std::array<Row, std::size_t(D)>;
-        // Not smaller for small sizes: all zeros has no inverse.
-        const auto rows = gen::container<Rows>(gen::container<Row>(gen::resize(kNominalSize, gen::inRange(-2, 3))));
-        return gen::map(gen::pair(rows, gen::inRange(1, 4)), [](const std::pair<Rows, int>& drawn) {
-            auto m = cleave::identity_matrix<D + 1, N>();
-            for (std::size_t i = 0; i < std::size_t(D); ++i) {
-                for (std::size_t j = 0; j <= std::size_t(D); ++j) m(int(i), int(j)) = N(drawn.first[i][j]);
-            }
-            m(D, D) = N(drawn.second);
-            return cleave::AffineMap<D, N>(m);
-        });
+struct Drawn<cleave::AffineMap<D, N>> {
+    static cleave::AffineMap<D, N> draw() {
+        const std::vector<int> drawn = generators::draw_map(std::size_t(D));
+        auto m = cleave::identity_matrix<D + 1, N>();
+        for (int i = 0; i < D; ++i) {
+            for (int j = 0; j <= D; ++j) m(i, j) = N(drawn[std::size_t(i * (D + 1) + j)]);
+        }
+        m(D, D) = N(drawn.back());
+        return cleave::AffineMap<D, N>(std::move(m));
+    }
+    static void show(std::ostream& out, const cleave::AffineMap<D, N>& map) {
+        out << "map";
+        for (const auto& row : map.homogeneous().row) generators::show_homogeneous(out << " ", row);
     }
 };
 
-}  // namespace rc
+}  // namespace support
 
 #endif

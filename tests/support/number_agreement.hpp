@@ -132,18 +132,17 @@ void check_agreement(const cleave::BooleanFunction& function, const std::vector<
 
 /// A solid of one part, perhaps complemented.
 template <int D>
-[[nodiscard]] rc::Gen<Solid<D>> convex_solid() {
-    return rc::gen::map(rc::gen::pair(rc::gen::arbitrary<Part<D>>(), rc::gen::inRange(0, 5)),
-                        [](const std::pair<Part<D>, int>& drawn) {
-                            return Solid<D>{{drawn.first}, drawn.second == 4};
-                        });
+[[nodiscard]] Solid<D> draw_convex_solid() {
+    const auto part = draw<Part<D>>();
+    return {{part}, draw_choice({4, 1}) == 1};
 }
 
 /// The four operations on two solids, and "at least two" and parity of three.
 template <int D, class N>
 void law_of_agreement(std::size_t cases) {
     law("dimension " + std::to_string(D), cases, [] {
-        const std::vector<Solid<D>> three = *rc::gen::container<std::vector<Solid<D>>>(3, convex_solid<D>());
+        std::vector<Solid<D>> three;
+        for (int i = 0; i < 3; ++i) three.push_back(draw_convex_solid<D>());
         const std::vector<Solid<D>> two = {three[0], three[1]};
         for (const cleave::Operation operation : cleave::all_operations)
             check_agreement<D, N>(cleave::BooleanFunction::from(operation, 2), two);

@@ -3,7 +3,7 @@
 #ifndef CLEAVE_TESTS_SUPPORT_PRECOMPILED_HPP
 #define CLEAVE_TESTS_SUPPORT_PRECOMPILED_HPP
 
-#include "support/catch.hpp"
+#include "support/property.hpp"
 
 #if defined(CLEAVE_WITH_GMP)
 #include <gmpxx.h>

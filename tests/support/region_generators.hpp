@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Random solids for rapidcheck: unions of boxes and simplices with corners at small integers, so that coincident
+/// Random solids for properties: unions of boxes and simplices with corners at small integers, so that coincident
 /// planes, touching corners and equal operands are common; now and then a complement. A solid knows which points it
 /// contains without any region being built.
 #ifndef CLEAVE_TESTS_SUPPORT_REGION_GENERATORS_HPP
 #define CLEAVE_TESTS_SUPPORT_REGION_GENERATORS_HPP
 
-#include "support/catch.hpp"
+#include "support/property.hpp"
 #include "support/region_checker.hpp"
 
 #include <cleave/shape/box.hpp>
@@ -15,31 +15,9 @@
 #include <array>
 #include <cstddef>
 #include <ostream>
-#include <sstream>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace support {
-
-/// Checks a property like `rc::prop`, with its own number of cases instead of rapidcheck's 100: as many per cent of
-/// `cases` as RC_PARAMS' max_success says or, where it says nothing, CLEAVE_TEST_SCALE.
-template <class Testable>
-void law(const std::string& description, std::size_t cases, Testable&& testable) {
-    SECTION(description) {
-        rc::detail::TestParams parameters = rc::detail::configuration().testParams;
-        const int usual = rc::detail::TestParams().maxSuccess;
-        parameters.maxSuccess = parameters.maxSuccess == usual
-                                    ? int(scaled(cases))
-                                    : std::max(1, int(cases) * parameters.maxSuccess / usual);
-        const auto result = rc::detail::checkTestable(std::forward<Testable>(testable),
-                                                      rc::detail::TestMetadata{description, description}, parameters);
-        std::ostringstream report;
-        rc::detail::printResultMessage(result, report);
-        INFO(report.str());
-        CHECK(result.template is<rc::detail::SuccessResult>());
-    }
-}
 
 /// The determinant of the vectors from p[0] to the other points.
 template <int D>
@@ -160,65 +138,44 @@ struct ProbePoint {
     }
 };
 
+template <int D>
+struct Drawn<Part<D>> {
+    static Part<D> draw() {
+        Part<D> part;
+        part.is_box = draw_bool();
+        const std::vector<int> drawn = draw_crowded_ints(part.points.size() * Part<D>::dimension, 0, 5);
+        auto next = drawn.begin();
+        for (auto& p : part.points)
+            for (int& x : p) x = *next++;
+        return part;
+    }
+};
+
+template <int D>
+struct Drawn<BoundedSolid<D>> {
+    static BoundedSolid<D> draw() { return {{draw_vector<Part<D>>(draw_choice({1, 10, 6, 2})), false}}; }
+};
+
+template <int D>
+struct Drawn<Solid<D>> {
+    static Solid<D> draw() {
+        Solid<D> solid = support::draw<BoundedSolid<D>>();
+        solid.complemented = draw_choice({4, 1}) == 1;
+        return solid;
+    }
+};
+
+template <int D>
+struct Drawn<ProbePoint<D>> {
+    static ProbePoint<D> draw() {
+        const std::vector<int> numerators = draw_ints(std::size_t(D), -6, 36);
+        const int denominator = draw_int(6, 8);
+        ProbePoint<D> p;
+        for (std::size_t i = 0; i < std::size_t(D); ++i) p.x[i] = Rational(numerators[i]) / denominator;
+        return p;
+    }
+};
+
 }  // namespace support
-
-namespace rc {
-
-/// 0 .. 4, all equally likely whatever the size, or fewer of them for small sizes.
-inline Gen<int> small_coordinate() {
-    return gen::oneOf(gen::resize(kNominalSize, gen::inRange(0, 5)), gen::inRange(0, 5));
-}
-
-template <int D>
-struct Arbitrary<support::Part<D>> {
-    static Gen<support::Part<D>> arbitrary() {
-        using Points = std::array<std::array<int, std::size_t(D)>, std::size_t(D) + 1>;
-        using Coordinate = std::array<int, std::size_t(D)>;
-        return gen::map(
-            gen::pair(gen::arbitrary<bool>(), gen::container<Points>(gen::container<Coordinate>(small_coordinate()))),
-            [](const std::pair<bool, Points>& drawn) {
-                return support::Part<D>{drawn.first, drawn.second};
-            });
-    }
-};
-
-template <int D>
-struct Arbitrary<support::BoundedSolid<D>> {
-    static Gen<support::BoundedSolid<D>> arbitrary() {
-        using Parts = std::vector<support::Part<D>>;
-        const auto parts = [](std::size_t n) { return gen::container<Parts>(n, gen::arbitrary<support::Part<D>>()); };
-        return gen::map(gen::weightedOneOf<Parts>({{1, parts(0)}, {10, parts(1)}, {6, parts(2)}, {2, parts(3)}}),
-                        [](const Parts& p) {
-                            return support::BoundedSolid<D>{{p, false}};
-                        });
-    }
-};
-
-template <int D>
-struct Arbitrary<support::Solid<D>> {
-    static Gen<support::Solid<D>> arbitrary() {
-        return gen::map(gen::pair(gen::arbitrary<support::BoundedSolid<D>>(), gen::inRange(0, 5)),
-                        [](const std::pair<support::BoundedSolid<D>, int>& drawn) {
-                            return support::Solid<D>{drawn.first.parts, drawn.second == 4};
-                        });
-    }
-};
-
-template <int D>
-struct Arbitrary<support::ProbePoint<D>> {
-    static Gen<support::ProbePoint<D>> arbitrary() {
-        using Numerators = std::array<int, std::size_t(D)>;
-        return gen::map(
-            gen::pair(gen::container<Numerators>(gen::resize(kNominalSize, gen::inRange(-6, 36))), gen::element(6, 7)),
-            [](const std::pair<Numerators, int>& drawn) {
-                support::ProbePoint<D> p;
-                for (std::size_t i = 0; i < std::size_t(D); ++i)
-                    p.x[i] = support::Rational(drawn.first[i]) / drawn.second;
-                return p;
-            });
-    }
-};
-
-}  // namespace rc
 
 #endif

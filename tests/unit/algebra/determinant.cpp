@@ -10,6 +10,7 @@
 #include <utility>
 
 using namespace cleave;
+using support::property;
 
 namespace {
 
@@ -60,17 +61,17 @@ counting::Counts counts_of_determinant() {
 
 TEMPLATE_LIST_TEST_CASE("determinant: three forms agree; it multiplies, alternates and is linear in a row", "",
                         backends::Numbers) {
-    rc::prop("D = 3", [] { check_laws<3, TestType>(); });
+    property("D = 3", [] { check_laws<3, TestType>(); });
 }
 
 TEST_CASE("determinant: the same in other dimensions") {
-    rc::prop("D = 1", [] { check_laws<1, Integer>(); });
-    rc::prop("D = 2", [] { check_laws<2, Integer>(); });
-    rc::prop("D = 4", [] { check_laws<4, Integer>(); });
-    rc::prop("D = 4, fractions", [] { check_laws<4, Rational>(); });
-    rc::prop("D = 5", [] { check_laws<5, Integer>(); });
-    rc::prop("D = 5, fractions", [] { check_laws<5, Rational>(); });
-    rc::prop("D = 7", [] { check_laws<7, Integer>(); });
+    property("D = 1", [] { check_laws<1, Integer>(); });
+    property("D = 2", [] { check_laws<2, Integer>(); });
+    property("D = 4", [] { check_laws<4, Integer>(); });
+    property("D = 4, fractions", [] { check_laws<4, Rational>(); });
+    property("D = 5", [] { check_laws<5, Integer>(); });
+    property("D = 5, fractions", [] { check_laws<5, Rational>(); });
+    property("D = 7", [] { check_laws<7, Integer>(); });
 }
 
 TEMPLATE_LIST_TEST_CASE("determinant: of the identity is one, of powers the product of differences", "",

@@ -13,6 +13,7 @@
 #include <vector>
 
 using namespace cleave;
+using support::property;
 
 namespace {
 
@@ -58,13 +59,13 @@ void check_laws() {
 
 TEMPLATE_LIST_TEST_CASE("echelon: rank is that of the minors, and the null space is null, independent and complete", "",
                         backends::Numbers) {
-    rc::prop("3 x 4", [] { check_laws<3, 4, TestType>(); });
+    property("3 x 4", [] { check_laws<3, 4, TestType>(); });
 }
 
 TEST_CASE("echelon: the same for a long and for a square matrix") {
-    rc::prop("4 x 2", [] { check_laws<4, 2, Integer>(); });
-    rc::prop("2 x 5", [] { check_laws<2, 5, Integer>(); });
-    rc::prop("4 x 4", [] { check_laws<4, 4, Integer>(); });
+    property("4 x 2", [] { check_laws<4, 2, Integer>(); });
+    property("2 x 5", [] { check_laws<2, 5, Integer>(); });
+    property("4 x 4", [] { check_laws<4, 4, Integer>(); });
 }
 
 TEST_CASE("echelon: the rank of any number of vectors") {

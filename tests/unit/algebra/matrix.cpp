@@ -6,6 +6,7 @@
 #include "support/generators.hpp"
 
 using namespace cleave;
+using support::property;
 
 namespace {
 
@@ -26,7 +27,7 @@ void check_laws() {
 
 TEMPLATE_LIST_TEST_CASE("matrix: products associate and transpose; a view of rows is the matrix of them", "",
                         backends::Numbers) {
-    rc::prop("2 x 3, 3 x 4, 4 x 2", [] { check_laws<TestType>(); });
+    property("2 x 3, 3 x 4, 4 x 2", [] { check_laws<TestType>(); });
 }
 
 TEST_CASE("matrix: entries are read by row and column, and a view follows its rows") {

@@ -11,6 +11,7 @@
 #include <array>
 
 using namespace cleave;
+using support::property;
 
 namespace {
 
@@ -49,18 +50,18 @@ counting::Counts counts_of_minors() {
 }  // namespace
 
 TEMPLATE_LIST_TEST_CASE("minors: unrolled, Laplace and Bareiss agree, and mean what they say", "", backends::Numbers) {
-    rc::prop("D = 3", [] { check_laws<3, TestType>(); });
+    property("D = 3", [] { check_laws<3, TestType>(); });
 }
 
 TEST_CASE("minors: the same in other dimensions") {
-    rc::prop("D = 1", [] { check_laws<1, Integer>(); });
-    rc::prop("D = 2", [] { check_laws<2, Integer>(); });
-    rc::prop("D = 4", [] { check_laws<4, Integer>(); });
-    rc::prop("D = 4, fractions", [] { check_laws<4, Rational>(); });
-    rc::prop("D = 5", [] { check_laws<5, Integer>(); });
-    rc::prop("D = 5, fractions", [] { check_laws<5, Rational>(); });
-    rc::prop("D = 6, the last without division", [] { check_laws<6, FixedInt<2048>>(); });
-    rc::prop("D = 7", [] { check_laws<7, Integer>(); });
+    property("D = 1", [] { check_laws<1, Integer>(); });
+    property("D = 2", [] { check_laws<2, Integer>(); });
+    property("D = 4", [] { check_laws<4, Integer>(); });
+    property("D = 4, fractions", [] { check_laws<4, Rational>(); });
+    property("D = 5", [] { check_laws<5, Integer>(); });
+    property("D = 5, fractions", [] { check_laws<5, Rational>(); });
+    property("D = 6, the last without division", [] { check_laws<6, FixedInt<2048>>(); });
+    property("D = 7", [] { check_laws<7, Integer>(); });
 }
 
 TEST_CASE("minors: of two rows it is the cross product, of one row the row turned") {

@@ -6,6 +6,7 @@
 #include "support/generators.hpp"
 
 using namespace cleave;
+using support::property;
 
 namespace {
 
@@ -33,7 +34,7 @@ void check_laws() {
 
 TEMPLATE_LIST_TEST_CASE("primitive: one integer vector without a common factor for all positive multiples", "",
                         backends::Numbers) {
-    rc::prop("in three dimensions", [] { check_laws<TestType>(); });
+    property("in three dimensions", [] { check_laws<TestType>(); });
 }
 
 TEST_CASE("primitive: signs stay, zeros stay, fractions go") {

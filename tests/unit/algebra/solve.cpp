@@ -6,6 +6,7 @@
 #include "support/generators.hpp"
 
 using namespace cleave;
+using support::property;
 
 namespace {
 
@@ -37,22 +38,22 @@ void check_adjugate() {
 
 TEMPLATE_LIST_TEST_CASE("solve: Cramer's rule satisfies the system, and there is no answer iff it is singular", "",
                         backends::Numbers) {
-    rc::prop("D = 3", [] { check_solution<3, TestType>(); });
+    property("D = 3", [] { check_solution<3, TestType>(); });
 }
 
 TEMPLATE_LIST_TEST_CASE("solve: a matrix times its adjugate is its determinant", "", backends::Numbers) {
-    rc::prop("D = 3", [] { check_adjugate<3, TestType>(); });
+    property("D = 3", [] { check_adjugate<3, TestType>(); });
 }
 
 TEST_CASE("solve: the same in other dimensions") {
-    rc::prop("solution, D = 2", [] { check_solution<2, Integer>(); });
-    rc::prop("solution, D = 1", [] { check_solution<1, Integer>(); });
-    rc::prop("solution, D = 4", [] { check_solution<4, Integer>(); });
-    rc::prop("solution, D = 7", [] { check_solution<7, Integer>(); });
-    rc::prop("adjugate, D = 2", [] { check_adjugate<2, Integer>(); });
-    rc::prop("adjugate, D = 1", [] { check_adjugate<1, Integer>(); });
-    rc::prop("adjugate, D = 4", [] { check_adjugate<4, Integer>(); });
-    rc::prop("adjugate, D = 5", [] { check_adjugate<5, Integer>(); });
+    property("solution, D = 2", [] { check_solution<2, Integer>(); });
+    property("solution, D = 1", [] { check_solution<1, Integer>(); });
+    property("solution, D = 4", [] { check_solution<4, Integer>(); });
+    property("solution, D = 7", [] { check_solution<7, Integer>(); });
+    property("adjugate, D = 2", [] { check_adjugate<2, Integer>(); });
+    property("adjugate, D = 1", [] { check_adjugate<1, Integer>(); });
+    property("adjugate, D = 4", [] { check_adjugate<4, Integer>(); });
+    property("adjugate, D = 5", [] { check_adjugate<5, Integer>(); });
 }
 
 TEST_CASE("solve: two lines meet where they should, parallel ones nowhere") {

@@ -7,6 +7,7 @@
 #include "support/generators.hpp"
 
 using namespace cleave;
+using support::property;
 
 namespace {
 
@@ -57,12 +58,12 @@ void check_proportionality() {
 }  // namespace
 
 TEMPLATE_LIST_TEST_CASE("vector: sums, multiples and dot products obey the laws", "", backends::Numbers) {
-    rc::prop("in three dimensions", [] { check_sums<TestType>(); });
+    property("in three dimensions", [] { check_sums<TestType>(); });
 }
 
 TEMPLATE_LIST_TEST_CASE("vector: proportionality has the sign of the factor, and needs all minors zero", "",
                         backends::Numbers) {
-    rc::prop("in three dimensions", [] { check_proportionality<TestType>(); });
+    property("in three dimensions", [] { check_proportionality<TestType>(); });
 }
 
 TEST_CASE("vector: proportionality tells apart vectors that agree in signs and in some ratios") {

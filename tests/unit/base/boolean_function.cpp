@@ -2,11 +2,14 @@
 #include <cleave/base/boolean_function.hpp>
 
 #include "support/catch.hpp"
+#include "support/property.hpp"
 
 #include <bit>
 #include <cstdint>
 #include <optional>
 #include <vector>
+
+using support::property;
 
 using cleave::BooleanFunction;
 using cleave::Operation;
@@ -159,7 +162,7 @@ TEST_CASE("boolean_function: beyond six operands a known value is right, and rea
 }
 
 TEST_CASE("boolean_function: operators are the Boolean algebra, for random expressions of nine operands") {
-    rc::prop("De Morgan, and difference is intersection with the complement", [](Bits a, Bits b, Bits point) {
+    property("De Morgan, and difference is intersection with the complement", [](Bits a, Bits b, Bits point) {
         const auto member = [](Bits set) {
             BooleanFunction f = BooleanFunction::constant(false, 9);
             for (unsigned i = 0; i < 9; ++i) {

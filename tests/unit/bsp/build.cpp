@@ -18,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+using support::property;
+
 namespace {
 
 using cleave::Balanced;
@@ -157,13 +159,13 @@ TEST_CASE("build: nodes are numbered parents first, minus before plus") {
 }
 
 TEST_CASE("build: every pivot gives the oracle's set in one, two and three dimensions") {
-    rc::prop("on a line", [](const toy::Grid<1>& grid) { check_all_pivots(grid); });
-    rc::prop("in the plane", [](const toy::Grid<2>& grid) { check_all_pivots(grid); });
-    rc::prop("in space", [](const toy::Grid<3>& grid) { check_all_pivots(grid); });
+    property("on a line", [](const toy::Grid<1>& grid) { check_all_pivots(grid); });
+    property("in the plane", [](const toy::Grid<2>& grid) { check_all_pivots(grid); });
+    property("in space", [](const toy::Grid<3>& grid) { check_all_pivots(grid); });
 }
 
 TEST_CASE("build: the flipped boundary gives the complement") {
-    rc::prop("in the plane", [](const toy::Grid<2>& grid) {
+    property("in the plane", [](const toy::Grid<2>& grid) {
         toy::Space<2> space;
         std::vector<toy::Facet<2>> flipped;
         for (const toy::Facet<2>& f : grid.boundary()) flipped.push_back(space.flip(f));
@@ -175,10 +177,10 @@ TEST_CASE("build: the flipped boundary gives the complement") {
 }
 
 TEST_CASE("build: the order of the facets changes the tree, not the set") {
-    rc::prop("in the plane", [](const toy::Grid<2>& grid) {
+    property("in the plane", [](const toy::Grid<2>& grid) {
         std::vector<toy::Facet<2>> facets = grid.boundary();
         for (std::size_t i = facets.size(); i > 1; --i) {
-            std::swap(facets[i - 1], facets[*rc::gen::inRange<std::size_t>(0, i)]);
+            std::swap(facets[i - 1], facets[support::draw_index(i)]);
         }
         toy::Space<2> space;
         RC_ASSERT(toy::agrees(cleave::build(space, facets, FirstFacet{}, grid.around()), grid));

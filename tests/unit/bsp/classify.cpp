@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+using support::property;
+
 namespace {
 
 using cleave::Branch;
@@ -127,7 +129,7 @@ TEST_CASE("classify: an empty cell misleads it, which is why trees must have non
 }
 
 TEST_CASE("classify: the flip of a cut with its children exchanged changes nothing") {
-    rc::prop("on a grid", [](const toy::Grid<2>& grid) {
+    property("on a grid", [](const toy::Grid<2>& grid) {
         toy::Space<2> space;
         const toy::Tree<> t = cleave::build(space, grid.boundary(), cleave::FewestSplits{}, grid.around());
         cleave::TreeParts<toy::Plane> parts = t.parts();
@@ -140,9 +142,9 @@ TEST_CASE("classify: the flip of a cut with its children exchanged changes nothi
 }
 
 TEST_CASE("classify: superfluous cuts everywhere change nothing") {
-    rc::prop("on a line", [](const toy::Grid<1>& grid) { RC_ASSERT(toy::agrees(toy::grid_tree(grid), grid)); });
-    rc::prop("in the plane", [](const toy::Grid<2>& grid) { RC_ASSERT(toy::agrees(toy::grid_tree(grid), grid)); });
-    rc::prop("in space", [](const toy::Grid<3>& grid) { RC_ASSERT(toy::agrees(toy::grid_tree(grid), grid)); });
+    property("on a line", [](const toy::Grid<1>& grid) { RC_ASSERT(toy::agrees(toy::grid_tree(grid), grid)); });
+    property("in the plane", [](const toy::Grid<2>& grid) { RC_ASSERT(toy::agrees(toy::grid_tree(grid), grid)); });
+    property("in space", [](const toy::Grid<3>& grid) { RC_ASSERT(toy::agrees(toy::grid_tree(grid), grid)); });
 }
 
 TEST_CASE("classify: depth 100,000 is descended without recursion") {

@@ -15,6 +15,8 @@
 #include <cstddef>
 #include <utility>
 
+using support::property;
+
 namespace {
 
 using cleave::Sign;
@@ -101,7 +103,7 @@ TEST_CASE("collapse: a half-plane cut everywhere is one cut") {
 }
 
 TEST_CASE("collapse: a set with its complement is all of space, one leaf") {
-    rc::prop("in space", [](const toy::Grid<3>& grid) {
+    property("in space", [](const toy::Grid<3>& grid) {
         const toy::Tree<> t = toy::grid_tree(grid);
         const toy::Tree<int> both = cleave::relabel(t, [](bool inside) { return inside ? 1 : 2; });
         RC_ASSERT(cleave::collapse(cleave::relabel(both, [](int bits) { return bits != 0; })) == in);
@@ -119,10 +121,10 @@ TEST_CASE("collapse: the set stays, nothing is left to collapse, and the tree is
         RC_ASSERT(cleave::collapse(c) == c);
         RC_ASSERT(c.is_single_leaf() == grid.boundary().empty());
     };
-    rc::prop("on a line", [&](const toy::Grid<1>& grid) { check(grid, toy::grid_tree(grid)); });
-    rc::prop("in the plane", [&](const toy::Grid<2>& grid) { check(grid, toy::grid_tree(grid)); });
-    rc::prop("in space", [&](const toy::Grid<3>& grid) { check(grid, toy::grid_tree(grid)); });
-    rc::prop("after building", [&](const toy::Grid<3>& grid) {
+    property("on a line", [&](const toy::Grid<1>& grid) { check(grid, toy::grid_tree(grid)); });
+    property("in the plane", [&](const toy::Grid<2>& grid) { check(grid, toy::grid_tree(grid)); });
+    property("in space", [&](const toy::Grid<3>& grid) { check(grid, toy::grid_tree(grid)); });
+    property("after building", [&](const toy::Grid<3>& grid) {
         toy::Space<3> space;
         check(grid, cleave::build(space, grid.boundary(), cleave::Structural<>{1, {}}, grid.around()));
     });

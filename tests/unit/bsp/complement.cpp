@@ -15,13 +15,15 @@
 #include <string>
 #include <utility>
 
+using support::property;
+
 TEST_CASE("complement: nothing and all of space change places") {
     CHECK(cleave::complement(toy::Tree<>(false)) == toy::Tree<>(true));
     CHECK(cleave::complement(toy::Tree<>(true)) == toy::Tree<>(false));
 }
 
 TEST_CASE("complement: inside and outside change places, the boundary stays, and twice is the identity") {
-    rc::prop("in the plane", [](const toy::Grid<2>& grid) {
+    property("in the plane", [](const toy::Grid<2>& grid) {
         toy::Space<2> space;
         const toy::Tree<> t = cleave::build(space, grid.boundary(), cleave::Balanced{}, grid.around());
         const toy::Tree<> c = cleave::complement(t);
@@ -32,7 +34,7 @@ TEST_CASE("complement: inside and outside change places, the boundary stays, and
 }
 
 TEST_CASE("complement: with its facets it is the tree of the flipped boundary") {
-    rc::prop("in the plane", [](const toy::Grid<2>& grid) {
+    property("in the plane", [](const toy::Grid<2>& grid) {
         toy::Space<2> space;
         const auto t = cleave::build_with_facets(space, grid.boundary(), cleave::Structural<>{3, {}}, grid.around());
         const auto c = cleave::complement(space, t);
@@ -55,7 +57,7 @@ TEST_CASE("relabel: labels may change their type") {
 }
 
 TEST_CASE("relabel: a Boolean function of bit sets is the operation on the sets") {
-    rc::prop("for two sets of cells", [](const toy::Grid<2>& a, const toy::Grid<2>& b) {
+    property("for two sets of cells", [](const toy::Grid<2>& a, const toy::Grid<2>& b) {
         using Cell = std::array<toy::Integer, 2>;
         // One tree for both: bit 0 says inside a, bit 1 inside b.
         const toy::Tree<unsigned> both =

@@ -10,6 +10,8 @@
 #include <span>
 #include <vector>
 
+using support::property;
+
 namespace {
 
 using cleave::Balanced;
@@ -249,7 +251,7 @@ TEST_CASE("pivot: where no proposal divides, structural looks for a plane throug
 }
 
 TEST_CASE("pivot: the sides left behind are those of the chosen plane, and the choice is repeatable") {
-    rc::prop("in one, two and three dimensions",
+    property("in one, two and three dimensions",
              [](const toy::Grid<1>& a, const toy::Grid<2>& b, const toy::Grid<3>& c) {
                  const auto holds = [](const auto& facets) {
                      if (facets.empty()) return true;

@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <vector>
 
+using support::property;
+
 namespace {
 
 using cleave::FacetSide;
@@ -80,7 +82,7 @@ TEST_CASE("toy grid: a square has four sides that face outward") {
 }
 
 TEST_CASE("toy grid: the unit facets of a boundary are those between cells of different colour") {
-    rc::prop("the area of the boundary is the number of differing neighbours", [](const toy::Grid<3>& grid) {
+    property("the area of the boundary is the number of differing neighbours", [](const toy::Grid<3>& grid) {
         toy::Integer area = 0;
         for (const toy::Facet<3>& f : grid.boundary()) {
             toy::Integer a = 1;

@@ -13,6 +13,7 @@
 #include <vector>
 
 using namespace cleave;
+using support::property;
 
 namespace {
 
@@ -133,7 +134,7 @@ TEST_CASE("clip 3d: numbers do not grow from cut to cut") {
 }
 
 TEST_CASE("clip 3d: parts are valid, on their sides, and add up, for many cuts after one another") {
-    rc::prop("a hundred pieces of one facet",
+    property("a hundred pieces of one facet",
              [](const Facet<3, Integer>& f, const std::vector<Plane<3, Integer>>& cuts) {
                  std::vector<Facet<3, Integer>> pieces{f};
                  for (const Plane<3, Integer>& h : cuts) {

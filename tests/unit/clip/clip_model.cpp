@@ -14,6 +14,7 @@
 #include <vector>
 
 using namespace cleave;
+using support::property;
 
 template <class M>
 constexpr bool is_full_model = Clip<M>&& BoundedClip<M>&& LocatingClip<M>&& ProposingClip<M>;
@@ -35,14 +36,14 @@ template <int D, class N>
 void check_model() {
     using F = Facet<D, N>;
     using H = Plane<D, N>;
-    rc::prop("the laws of Clip", [](const F& f, const F& g, const H& h, const H& k) {
+    property("the laws of Clip", [](const F& f, const F& g, const H& h, const H& k) {
         ClipModel<D, N> model;
         // Planes of the facets and their ridges are where the degenerate cases are.
         std::vector<H> planes{h, k, f.plane, flip(g.plane)};
         for (const H& e : ridges(g)) planes.push_back(e);
         check_clip_laws(model, {f, g}, planes);
     });
-    rc::prop("parts are valid and their sizes add up", [](const F& f, const H& h, const F& g) {
+    property("parts are valid and their sizes add up", [](const F& f, const H& h, const F& g) {
         ClipModel<D, N> model;
         std::vector<H> planes{h, flip(h), g.plane};
         for (const H& e : ridges(g)) planes.push_back(e);
@@ -64,7 +65,7 @@ void check_model() {
             }
         }
     });
-    rc::prop("boxes hold their facets", [](const F& f) {
+    property("boxes hold their facets", [](const F& f) {
         ClipModel<D, N> model;
         const Box<D, typename number_traits<N>::field_type> exact = exact_box_of(f);
         const Box<D> box = model.box(f);

@@ -12,6 +12,7 @@
 #include <vector>
 
 using namespace cleave;
+using support::property;
 
 namespace {
 
@@ -62,7 +63,7 @@ static_assert(!OneSidedClip<ClipModel<3, Integer>>);
 }  // namespace
 
 TEST_CASE("defaults: a model that splits can clip, and one that clips can split") {
-    rc::prop("both models agree", [](const Facet<3, Integer>& f, const Plane<3, Integer>& h) {
+    property("both models agree", [](const Facet<3, Integer>& f, const Plane<3, Integer>& h) {
         ClipModel<3, Integer> splits;
         SplitByClips<ClipsPolygons> clips;
         const auto a = splits.split(h, f);
@@ -85,7 +86,7 @@ TEST_CASE("defaults: a model that splits can clip, and one that clips can split"
             }
         }
     });
-    rc::prop("the completed model obeys the laws",
+    property("the completed model obeys the laws",
              [](const Facet<3, Integer>& f, const Plane<3, Integer>& h, const Plane<3, Integer>& g) {
                  SplitByClips<ClipsPolygons> model;
                  check_clip_laws(model, {f}, {h, g, f.plane});

@@ -11,6 +11,7 @@
 #include <optional>
 
 using namespace cleave;
+using support::property;
 
 TEMPLATE_LIST_TEST_CASE("edge plane: the neighbour's plane, turned so that the face is inside", "", RingAndField) {
     using N = TestType;
@@ -46,14 +47,14 @@ TEST_CASE("edge plane: the auxiliary axis is never parallel to the face") {
     CHECK(auxiliary_axis(make_plane<Integer>(0, 0, -1, 5)) == 2);
     CHECK(auxiliary_axis(make_plane<Integer>(0, -7, 3, 5)) == 1);
     CHECK(auxiliary_axis(make_plane<Integer>(2, -2, 2, 5)) == 0);
-    rc::prop("it belongs to a largest normal entry", [](const Plane<3, Integer>& h) {
+    property("it belongs to a largest normal entry", [](const Plane<3, Integer>& h) {
         const Integer largest = abs(h[auxiliary_axis(h)]);
         for (std::size_t i = 0; i < 3; ++i) RC_ASSERT(!(largest < abs(h[i])));
     });
 }
 
 TEST_CASE("edge plane: the third corner of a triangle is inside every edge plane") {
-    rc::prop("with and without neighbours", [](const std::array<Point<3, Integer>, 3>& p, const Point<3, Integer>& q) {
+    property("with and without neighbours", [](const std::array<Point<3, Integer>, 3>& p, const Point<3, Integer>& q) {
         const auto h = join(p);
         RC_PRE(h.has_value());
         for (std::size_t i = 0; i < 3; ++i) {

@@ -4,6 +4,7 @@
 #include "support/catch.hpp"
 #include "support/exact_types.hpp"
 #include "support/facet_measure.hpp"
+#include "support/property.hpp"
 
 #include <cleave/geometry/affine_map.hpp>
 #include <cleave/geometry/relation.hpp>
@@ -19,6 +20,7 @@
 #include <vector>
 
 using namespace cleave;
+using support::property;
 
 namespace {
 
@@ -253,8 +255,8 @@ std::vector<Loop> boundary_walks(const Mask& mask) {
 }  // namespace
 
 TEST_CASE("face: random sets of triangles of a grid, point by point") {
-    rc::prop("each chosen triangle is in exactly one facet, the others in none", [](const Mask& mask) {
-        const bool tilt = *rc::gen::arbitrary<bool>();
+    property("each chosen triangle is in exactly one facet, the others in none", [](const Mask& mask) {
+        const bool tilt = support::draw_bool();
         const AffineMap<3, Rational> map = tilt ? tilted<Rational>() : AffineMap<3, Rational>();
         const Face<3, Rational> face = face_of<Rational>(boundary_walks(mask), map);
         const auto facets = to_facets(face);

@@ -11,6 +11,7 @@
 #include <vector>
 
 using namespace cleave;
+using support::property;
 
 namespace {
 
@@ -96,7 +97,7 @@ namespace {
 
 template <int D, class N>
 void check_facets() {
-    rc::prop("flip is an involution and keeps size and validity", [](const Facet<D, N>& f) {
+    property("flip is an involution and keeps size and validity", [](const Facet<D, N>& f) {
         RC_ASSERT(is_valid(f));
         RC_ASSERT(is_valid(flip(f)));
         RC_ASSERT(flip(flip(f)) == f);
@@ -104,7 +105,7 @@ void check_facets() {
         RC_ASSERT(projected_measure(f) > 0);
         RC_ASSERT(projected_measure(flip(f)) == projected_measure(f));
     });
-    rc::prop("ridges have the facet inside and bound it", [](const Facet<D, N>& f, const Point<D, N>& p) {
+    property("ridges have the facet inside and bound it", [](const Facet<D, N>& f, const Point<D, N>& p) {
         bool inside_all = side(f.plane, p) == Sign::zero;
         for (const Plane<D, N>& e : ridges(f)) {
             RC_ASSERT(D == 1 || relation(e, f.plane) == PlaneRelation::crossing);

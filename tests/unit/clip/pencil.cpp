@@ -2,12 +2,15 @@
 #include <cleave/clip/pencil.hpp>
 
 #include "support/catch.hpp"
+#include "support/property.hpp"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
+
+using support::property;
 
 namespace {
 
@@ -32,15 +35,19 @@ std::vector<Coefficients> all_through(const Coefficients& g, const Coefficients&
     return cleave::planes_through(g, h, [](const Coefficients& c) { return c; });
 }
 
+Point3 draw_point() {
+    const std::vector<int> x = support::draw_ints(3, -9, 10);
+    return {x[0], x[1], x[2]};
+}
+
 }  // namespace
 
 TEST_CASE("pencil: a turned plane contains the line and the direction of its axis") {
-    const auto point = rc::gen::container<Point3>(rc::gen::inRange<std::int64_t>(-9, 10));
-    rc::prop("for planes through two points", [&] {
-        const Point3 a = *point;
-        const Point3 b = *point;
-        const Plane3 g = through(a, b, *point);
-        const Plane3 h = through(a, b, *point);
+    property("for planes through two points", [] {
+        const Point3 a = draw_point();
+        const Point3 b = draw_point();
+        const Plane3 g = through(a, b, draw_point());
+        const Plane3 h = through(a, b, draw_point());
         RC_PRE(g[0] != 0 || g[1] != 0 || g[2] != 0);
         RC_PRE(h[0] != 0 || h[1] != 0 || h[2] != 0);
         for (std::size_t i = 0; i < 3; ++i) {

@@ -11,6 +11,7 @@
 #include <array>
 
 using namespace cleave;
+using support::property;
 
 TEMPLATE_LIST_TEST_CASE("affine map: translations, scalings and the 3-4-5 rotation", "", RingAndField) {
     using N = TestType;
@@ -60,11 +61,11 @@ void check_maps() {
     using Map = AffineMap<D, Integer>;
     using P = Point<D, Integer>;
     using H = Plane<D, Integer>;
-    rc::prop("composition is application one after the other", [](const Map& a, const Map& b, const P& p) {
+    property("composition is application one after the other", [](const Map& a, const Map& b, const P& p) {
         RC_ASSERT(compose(a, b)(p) == a(b(p)));
         RC_ASSERT(compose(a, b).orientation() == a.orientation() * b.orientation());
     });
-    rc::prop("the inverse undoes", [](const Map& a, const P& p) {
+    property("the inverse undoes", [](const Map& a, const P& p) {
         const auto back = inverse(a);
         RC_ASSERT(back.has_value() == (a.orientation() != Sign::zero));
         RC_PRE(back.has_value());
@@ -72,12 +73,12 @@ void check_maps() {
         RC_ASSERT(compose(a, *back) == Map());
         RC_ASSERT(inverse(*back) == a);
     });
-    rc::prop("planes keep their sides, in reflections too", [](const Map& a, const H& h, const P& p) {
+    property("planes keep their sides, in reflections too", [](const Map& a, const H& h, const P& p) {
         RC_PRE(a.orientation() != Sign::zero);
         RC_ASSERT(side(image(a, h), a(p)) == side(h, p));
         RC_ASSERT(image(a, flip(h)) == flip(image(a, h)));
     });
-    rc::prop("the join of images is the image of the join, turned round by a reflection",
+    property("the join of images is the image of the join, turned round by a reflection",
              [](const Map& a, const std::array<P, std::size_t(D)>& points) {
                  RC_PRE(a.orientation() != Sign::zero);
                  const auto h = join(points);

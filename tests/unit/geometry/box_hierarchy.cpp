@@ -2,6 +2,7 @@
 #include <cleave/geometry/box_hierarchy.hpp>
 
 #include "support/catch.hpp"
+#include "support/property.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,25 +13,23 @@
 #include <vector>
 
 using namespace cleave;
+using support::property;
 
 namespace {
 
 /// Small integers, some boxes flat, some empty (drawn the wrong way round), some long and thin.
 template <int D>
-rc::Gen<std::vector<Box<D>>> boxes() {
-    using Corner = std::array<int, std::size_t(D)>;
-    const auto corner = rc::gen::container<Corner>(rc::gen::inRange(0, 40));
-    const auto size = rc::gen::container<Corner>(rc::gen::weightedOneOf<int>(
-        {{8, rc::gen::inRange(0, 6)}, {1, rc::gen::inRange(20, 40)}, {1, rc::gen::just(-1)}}));
-    return rc::gen::container<std::vector<Box<D>>>(
-        rc::gen::map(rc::gen::pair(corner, size), [](const std::pair<Corner, Corner>& drawn) {
-            Box<D> b;
-            for (std::size_t i = 0; i < b.size; ++i) {
-                b.lo[i] = drawn.first[i];
-                b.hi[i] = drawn.first[i] + drawn.second[i];
-            }
-            return b;
-        }));
+std::vector<Box<D>> draw_boxes() {
+    return support::draw_list([] {
+        Box<D> b;
+        for (std::size_t i = 0; i < b.size; ++i) {
+            const int lo = support::draw_int(0, 40);
+            const std::size_t kind = support::draw_choice({8, 1, 1});
+            b.lo[i] = lo;
+            b.hi[i] = lo + (kind == 0 ? support::draw_int(0, 6) : kind == 1 ? support::draw_int(20, 40) : -1);
+        }
+        return b;
+    });
 }
 
 template <int D>
@@ -42,10 +41,10 @@ std::vector<std::pair<std::size_t, std::size_t>> meeting_pairs(const BoxHierarch
 
 template <int D>
 void check_against_brute_force() {
-    rc::prop("a box against all, each once", []() {
-        const std::vector<Box<D>> all = *boxes<D>();
+    property("a box against all, each once", [] {
+        const std::vector<Box<D>> all = draw_boxes<D>();
         const BoxHierarchy<D> hierarchy(all);
-        for (const Box<D>& query : *boxes<D>()) {
+        for (const Box<D>& query : draw_boxes<D>()) {
             std::vector<std::size_t> expected;
             for (std::size_t i = 0; i < all.size(); ++i) {
                 if (!disjoint(query, all[i])) expected.push_back(i);
@@ -65,9 +64,9 @@ void check_against_brute_force() {
         RC_ASSERT(hierarchy.bounds() == bounds);
         RC_ASSERT(hierarchy.size() == count);
     });
-    rc::prop("all pairs, each once", []() {
-        const std::vector<Box<D>> a = *boxes<D>();
-        const std::vector<Box<D>> b = *boxes<D>();
+    property("all pairs, each once", [] {
+        const std::vector<Box<D>> a = draw_boxes<D>();
+        const std::vector<Box<D>> b = draw_boxes<D>();
         std::vector<std::pair<std::size_t, std::size_t>> expected;
         for (std::size_t i = 0; i < a.size(); ++i) {
             for (std::size_t j = 0; j < b.size(); ++j) {

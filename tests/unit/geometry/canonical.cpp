@@ -8,6 +8,7 @@
 #include <cleave/geometry/cross_point.hpp>
 
 using namespace cleave;
+using support::property;
 
 TEMPLATE_LIST_TEST_CASE("canonical: primitive planes and points have coprime integer entries", "", ExactTypes) {
     using N = TestType;
@@ -37,7 +38,7 @@ TEMPLATE_LIST_TEST_CASE("canonical: A-T16, equal planes have equal names, and or
 }
 
 TEST_CASE("canonical: names agree exactly if planes coincide") {
-    rc::prop("D = 3, over a ring and over a field", [](const Plane<3, Integer>& h, const Plane<3, Integer>& g) {
+    property("D = 3, over a ring and over a field", [](const Plane<3, Integer>& h, const Plane<3, Integer>& g) {
         const auto a = canonical(h);
         const auto b = canonical(g);
         RC_ASSERT((a == b) == (h == g));

@@ -14,6 +14,7 @@
 #include <vector>
 
 using namespace cleave;
+using support::property;
 
 TEMPLATE_LIST_TEST_CASE("cross point: A-T1, the lines x = 1 and y = 2 meet in (1, 2), not (1, -2)", "", RingAndField) {
     using N = TestType;
@@ -101,7 +102,7 @@ template <int D>
 void check_join_and_meet() {
     using P = Point<D, Integer>;
     using H = Plane<D, Integer>;
-    rc::prop("the join contains its points, and its normal comes first in a positive basis",
+    property("the join contains its points, and its normal comes first in a positive basis",
              [](const std::array<P, std::size_t(D)>& points) {
                  const std::optional<H> h = join(points);
                  RC_PRE(h.has_value());
@@ -112,7 +113,7 @@ void check_join_and_meet() {
                  }
                  RC_ASSERT(outward_first<D>(normal, points) == Sign::plus);
              });
-    rc::prop("exchanging two points turns the plane round", [](std::array<P, std::size_t(D)> points) {
+    property("exchanging two points turns the plane round", [](std::array<P, std::size_t(D)> points) {
         const std::optional<H> h = join(points);
         RC_PRE(h.has_value());
         if constexpr (D > 1) {
@@ -120,7 +121,7 @@ void check_join_and_meet() {
             RC_ASSERT(join(points) == flip(*h));
         }
     });
-    rc::prop("the meet is on its planes, whatever their orientation", [](std::array<H, std::size_t(D)> planes) {
+    property("the meet is on its planes, whatever their orientation", [](std::array<H, std::size_t(D)> planes) {
         const std::optional<P> p = meet(planes);
         RC_PRE(p.has_value());
         RC_ASSERT(p->weight().sign() == Sign::plus);
@@ -130,7 +131,7 @@ void check_join_and_meet() {
         std::swap(planes[0], planes[D - 1]);
         RC_ASSERT(meet(planes) == p);
     });
-    rc::prop("the corners of a simplex are the meets of its joins",
+    property("the corners of a simplex are the meets of its joins",
              [](const std::array<P, std::size_t(D) + 1>& corners) {
                  std::array<H, std::size_t(D) + 1> walls;
                  for (std::size_t i = 0; i <= std::size_t(D); ++i) {
@@ -189,7 +190,7 @@ TEST_CASE("cross point: A-T16, planes that share an edge must have rank D - 1, n
 TEST_CASE("cross point: coordinates on a grid of b bits give planes within the bounds") {
     // In D = 3: normals of 2b + 2 bits and offsets of 3b + 2 for coordinates up to 2^b in size.
     const std::int64_t big = std::int64_t(1) << 20;
-    rc::prop("D = 3", [](const std::array<std::array<std::uint32_t, 3>, 3>& drawn) {
+    property("D = 3", [](const std::array<std::array<std::uint32_t, 3>, 3>& drawn) {
         std::array<Point<3, Integer>, 3> p;
         for (std::size_t i = 0; i < 3; ++i) {
             std::array<std::int64_t, 3> x;

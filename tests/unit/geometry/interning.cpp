@@ -12,6 +12,7 @@
 #include <vector>
 
 using namespace cleave;
+using support::property;
 
 TEMPLATE_LIST_TEST_CASE("interning: coincident planes share all but the orientation bit", "", ExactTypes) {
     using N = TestType;
@@ -50,7 +51,7 @@ TEST_CASE("interning: A-T16, a point is one point whichever of its planes made i
 }
 
 TEST_CASE("interning: ids agree exactly where values do") {
-    rc::prop("planes in D = 2", [](const std::vector<Plane<2, Rational>>& planes) {
+    property("planes in D = 2", [](const std::vector<Plane<2, Rational>>& planes) {
         InternedPlanes<2, Rational> table;
         std::vector<PlaneId> ids;
         for (const auto& h : planes) ids.push_back(table.intern(h));
@@ -62,7 +63,7 @@ TEST_CASE("interning: ids agree exactly where values do") {
             }
         }
     });
-    rc::prop("points in D = 4", [](const std::vector<Point<4, Integer>>& points) {
+    property("points in D = 4", [](const std::vector<Point<4, Integer>>& points) {
         InternedPoints<4, Integer> table;
         std::vector<PointId> ids;
         for (const auto& p : points) ids.push_back(table.intern(p));

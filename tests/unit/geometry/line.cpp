@@ -8,6 +8,7 @@
 #include <cleave/geometry/side.hpp>
 
 using namespace cleave;
+using support::property;
 
 TEMPLATE_LIST_TEST_CASE("line: the trace of a half-space is a half-line with its orientation", "", ExactTypes) {
     using N = TestType;
@@ -34,7 +35,7 @@ namespace {
 template <int D>
 void check_lines() {
     using P = Point<D, Integer>;
-    rc::prop("along the line, sides are sides of the trace",
+    property("along the line, sides are sides of the trace",
              [](const P& a, const P& b, const Plane<D, Integer>& h, const Point<1, Integer>& t) {
                  const auto line = line_through(a, b);
                  RC_PRE(line.has_value());
@@ -45,7 +46,7 @@ void check_lines() {
                  RC_ASSERT(x.has_value() == cut.has_value());
                  if (x) RC_ASSERT(side(h, *x) == Sign::zero);
              });
-    rc::prop("it starts at a and reaches b at the product of the weights", [](const P& a, const P& b) {
+    property("it starts at a and reaches b at the product of the weights", [](const P& a, const P& b) {
         const auto line = line_through(a, b);
         RC_ASSERT(line.has_value() == (a != b));
         RC_PRE(line.has_value());

@@ -6,6 +6,7 @@
 #include "support/geometry_generators.hpp"
 
 using namespace cleave;
+using support::property;
 
 TEMPLATE_LIST_TEST_CASE("plane: coefficients of every kind, up to a positive factor", "", ExactTypes) {
     using N = TestType;
@@ -28,7 +29,7 @@ TEMPLATE_LIST_TEST_CASE("plane: a zero normal is no plane", "", ExactTypes) {
 }
 
 TEST_CASE("plane: flip is an involution that changes the plane") {
-    rc::prop("D = 4", [](const Plane<4, Integer>& h) {
+    property("D = 4", [](const Plane<4, Integer>& h) {
         RC_ASSERT(flip(h) != h);
         RC_ASSERT(flip(flip(h)) == h);
         RC_ASSERT(flip(flip(h)).coefficients() == h.coefficients());

@@ -8,6 +8,7 @@
 #include <limits>
 
 using namespace cleave;
+using support::property;
 
 TEMPLATE_LIST_TEST_CASE("point: coordinates of every kind are taken exactly", "", ExactTypes) {
     using N = TestType;
@@ -56,13 +57,13 @@ TEMPLATE_LIST_TEST_CASE("point: equality is of places, and the weight is made po
 
 TEST_CASE("point: comparisons are those of the coordinates") {
     using N = Integer;
-    rc::prop("in every coordinate", [](const Point<3, N>& a, const Point<3, N>& b) {
+    property("in every coordinate", [](const Point<3, N>& a, const Point<3, N>& b) {
         for (std::size_t i = 0; i < 3; ++i) {
             const Rational difference = a.coordinate(i) - b.coordinate(i);
             RC_ASSERT(compare_coordinate(a, b, i) == sign_of(difference));
         }
     });
-    rc::prop("lexicographically, as a total order",
+    property("lexicographically, as a total order",
              [](const Point<3, N>& a, const Point<3, N>& b, const Point<3, N>& c) {
                  RC_ASSERT((compare(a, b) == Sign::minus) == (a.coordinates() < b.coordinates()));
                  RC_ASSERT((compare(a, b) == Sign::zero) == (a == b));

@@ -6,6 +6,7 @@
 #include "support/geometry_generators.hpp"
 
 using namespace cleave;
+using support::property;
 
 TEMPLATE_LIST_TEST_CASE("side: minus is inside, plus is outside, a point on the plane has sign zero", "", ExactTypes) {
     using N = TestType;
@@ -30,12 +31,12 @@ TEMPLATE_LIST_TEST_CASE("side: one unit in the last place of a double is seen", 
 }
 
 TEST_CASE("side: it is the sign of the value of the plane") {
-    rc::prop("D = 3", [](const Plane<3, Integer>& h, const Point<3, Integer>& p) {
+    property("D = 3", [](const Plane<3, Integer>& h, const Point<3, Integer>& p) {
         const Rational value = evaluate(h, p);
         RC_ASSERT(side(h, p) == sign_of(value));
         RC_ASSERT(side(flip(h), p) == -side(h, p));
     });
-    rc::prop("D = 5", [](const Plane<5, Integer>& h, const Point<5, Integer>& p) {
+    property("D = 5", [](const Plane<5, Integer>& h, const Point<5, Integer>& p) {
         Rational value = number_traits<Rational>::from_integer(h.offset());
         for (std::size_t i = 0; i < 5; ++i) {
             const Rational n = number_traits<Rational>::from_integer(h[i]);

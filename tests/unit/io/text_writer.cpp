@@ -2,11 +2,13 @@
 #include <cleave/io/text_writer.hpp>
 
 #include "support/catch.hpp"
+#include "support/property.hpp"
 
 #include <bit>
 #include <limits>
 
 using namespace cleave;
+using support::property;
 
 namespace {
 
@@ -30,7 +32,7 @@ TEST_CASE("text_writer: doubles are the shortest text that reads back") {
     REQUIRE(written(-2.0) == "-2");
     REQUIRE(written(1e300) == "1e+300");
     REQUIRE(written(0.0) == "0");
-    rc::prop("every finite double survives", [](std::uint64_t bits) {
+    property("every finite double survives", [](std::uint64_t bits) {
         const auto x = std::bit_cast<double>(bits);
         RC_PRE(x - x == 0);
         RC_ASSERT(std::bit_cast<std::uint64_t>(parse_double(written(x))) == (x == 0 ? std::uint64_t{0} : bits));

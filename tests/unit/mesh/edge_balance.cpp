@@ -3,14 +3,16 @@
 
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
+#include "support/property.hpp"
 
 using namespace cleave;
+using support::property;
 
 TEST_CASE("edge_balance: a line has one hash, whichever of its points name it") {
-    rc::prop("for doubles and rationals", [] {
+    property("for doubles and rationals", [] {
         std::array<int, 3> p, d;
-        for (int& x : p) x = *rc::gen::inRange(-9, 10);
-        for (int& x : d) x = *rc::gen::inRange(-9, 10);
+        for (int& x : p) x = support::draw_int(-9, 10);
+        for (int& x : d) x = support::draw_int(-9, 10);
         RC_PRE(d[0] != 0 || d[1] != 0 || d[2] != 0);
         const auto at = [&](int t) {
             return std::array<double, 3>{p[0] / 4.0 + d[0] * t / 8.0, p[1] / 4.0 + d[1] * t / 8.0,
@@ -21,7 +23,7 @@ TEST_CASE("edge_balance: a line has one hash, whichever of its points name it") 
             for (std::size_t x = 0; x < 3; ++x) q[x] = Rational(p[x]) / 3 + Rational(d[x] * t) / 7;
             return q;
         };
-        const int s = *rc::gen::inRange(-5, 6), t = *rc::gen::inRange(1, 6), u = *rc::gen::inRange(6, 20);
+        const int s = support::draw_int(-5, 6), t = support::draw_int(1, 6), u = support::draw_int(6, 20);
         const auto hash = cleave::detail::line_hash(at(0), at(1));
         RC_ASSERT(cleave::detail::line_hash(at(s), at(s + t)) == hash);
         RC_ASSERT(cleave::detail::line_hash(at(u), at(s)) == hash);

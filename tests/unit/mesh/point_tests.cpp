@@ -3,11 +3,13 @@
 #include <cleave/mesh/point_tests.hpp>
 
 #include "support/catch.hpp"
+#include "support/property.hpp"
 
 #include <cmath>
 #include <limits>
 
 using namespace cleave;
+using support::property;
 
 namespace {
 
@@ -86,13 +88,13 @@ TEST_CASE("point_tests: a counter-clockwise triangle turns left seen from the pl
 }
 
 TEST_CASE("point_tests: small integers, where most fours are degenerate") {
-    rc::prop("doubles and rationals agree with the definition", [] {
+    property("doubles and rationals agree with the definition", [] {
         Points<double> doubles;
         Points<Rational> rationals;
-        const int den = *rc::gen::inRange(1, 4);
+        const int den = support::draw_int(1, 4);
         for (std::size_t i = 0; i < 4; ++i) {
             std::array<int, 3> p;
-            for (int& x : p) x = *rc::gen::inRange(-2, 3);
+            for (int& x : p) x = support::draw_int(-2, 3);
             doubles.push_back({double(p[0]), double(p[1]), double(p[2])});
             rationals.push_back({Rational(p[0]) / den, Rational(p[1]) / 7, Rational(p[2]) / (den + 1)});
         }
@@ -132,12 +134,13 @@ TEST_CASE("point_tests: overflow and underflow are decided exactly") {
 }
 
 TEST_CASE("point_tests: doubles of every size agree with rational arithmetic") {
-    rc::prop("random bits", [] {
+    property("random bits", [] {
         Points<double> points;
         for (std::size_t i = 0; i < 4; ++i) {
             std::array<double, 3> p;
             for (double& x : p) {
-                x = std::ldexp(double(*rc::gen::inRange(-1000, 1001)), *rc::gen::inRange(-60, 60));
+                const int mantissa = support::draw_int(-1000, 1001);
+                x = std::ldexp(double(mantissa), support::draw_int(-60, 60));
             }
             points.push_back(p);
         }

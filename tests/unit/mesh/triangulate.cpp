@@ -3,6 +3,7 @@
 #include <cleave/mesh/triangulate.hpp>
 
 #include "support/catch.hpp"
+#include "support/property.hpp"
 
 #include <cstdlib>
 #include <map>
@@ -11,6 +12,7 @@
 namespace {
 
 using namespace cleave;
+using support::property;
 
 struct Point {
     std::int64_t x, y;
@@ -208,6 +210,19 @@ std::vector<Point> star(const std::vector<std::pair<int, int>>& seeds) {
     return corners;
 }
 
+/// Pairs of numbers from first to past - 1.
+std::vector<std::pair<int, int>> draw_pairs(int first, int past) {
+    return support::draw_list([=] {
+        const std::vector<int> drawn = support::draw_ints(2, first, past);
+        return std::pair(drawn[0], drawn[1]);
+    });
+}
+
+void draw_shear(PolygonSet& set, int most) {
+    const std::vector<int> drawn = support::draw_ints(2, -most, most + 1);
+    shear(set, drawn[0], drawn[1]);
+}
+
 }  // namespace
 
 TEST_CASE("triangulate: a triangle is itself") {
@@ -354,29 +369,28 @@ TEST_CASE("triangulate: indices with equal points are one vertex") {
 }
 
 TEST_CASE("triangulate: unions of grid cells, with pinches, holes and collinear corners") {
-    rc::prop("every union of grid cells is covered exactly, conforming, without flat triangles", [] {
-        const auto width = *rc::gen::inRange<std::size_t>(1, 9);
-        const auto height = *rc::gen::inRange<std::size_t>(1, 9);
-        const auto cells = *rc::gen::container<std::vector<bool>>(width * height, rc::gen::arbitrary<bool>());
+    property("every union of grid cells is covered exactly, conforming, without flat triangles", [] {
+        const std::size_t width = 1 + support::draw_index(8);
+        const std::size_t height = 1 + support::draw_index(8);
+        const std::vector<bool> cells = support::draw_bools(width * height);
         std::vector<std::vector<bool>> grid(height);
         for (std::size_t y = 0; y < height; ++y) {
             grid[y].assign(cells.begin() + std::ptrdiff_t(y * width), cells.begin() + std::ptrdiff_t((y + 1) * width));
         }
-        PolygonSet set = boundary_of_cells(grid, *rc::gen::arbitrary<bool>());
-        shear(set, *rc::gen::inRange(-3, 4), *rc::gen::inRange(-3, 4));
+        PolygonSet set = boundary_of_cells(grid, support::draw_bool());
+        draw_shear(set, 3);
         check(set);
         RC_ASSERT(set.doubled_area_of_loops() == 2 * std::count(cells.begin(), cells.end(), true));
 
         // Straight corners dropped at random: other loops now touch edges in their interior.
-        const auto drop = *rc::gen::container<std::vector<bool>>(13, rc::gen::arbitrary<bool>());
+        const std::vector<bool> drop = support::draw_bools(13);
         check(without_straight_corners(set, drop), true);
     });
 }
 
 TEST_CASE("triangulate: star-shaped polygons with a star-shaped hole") {
-    rc::prop("every star-shaped polygon is covered exactly", [] {
-        const auto seeds = *rc::gen::container<std::vector<std::pair<int, int>>>(
-            rc::gen::pair(rc::gen::inRange(-6, 7), rc::gen::inRange(-6, 7)));
+    property("every star-shaped polygon is covered exactly", [] {
+        const auto seeds = draw_pairs(-6, 7);
         const std::vector<Point> outline = star(seeds);
         check(polygon({outline}));
 
@@ -387,15 +401,14 @@ TEST_CASE("triangulate: star-shaped polygons with a star-shaped hole") {
         check(polygon({outer, hole}));
         check(polygon({hole, outer}));
         PolygonSet sheared = polygon({outer, hole});
-        shear(sheared, *rc::gen::inRange(-2, 3), *rc::gen::inRange(-2, 3));
+        draw_shear(sheared, 2);
         check(sheared);
     });
 }
 
 TEST_CASE("triangulate: any closed walk either fails or is covered as often as it winds") {
-    rc::prop("no crash, no flat triangle, and the right boundary on success", [] {
-        const auto walk = *rc::gen::container<std::vector<std::pair<int, int>>>(
-            rc::gen::pair(rc::gen::inRange(0, 5), rc::gen::inRange(0, 5)));
+    property("no crash, no flat triangle, and the right boundary on success", [] {
+        const auto walk = draw_pairs(0, 5);
         std::vector<Point> loop;
         for (const auto& [x, y] : walk) loop.push_back({x, y});
         const PolygonSet set = polygon({loop});

@@ -4,10 +4,12 @@
 
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
+#include "support/property.hpp"
 
 #include <limits>
 
 using namespace cleave;
+using support::property;
 
 namespace {
 
@@ -283,9 +285,9 @@ TEST_CASE("validate: require_valid passes good meshes and throws with the eviden
 }
 
 TEST_CASE("validate: a hole or a turned face is found wherever it is") {
-    rc::prop("one changed face of a subdivided cube", [] {
+    property("one changed face of a subdivided cube", [] {
         // A grid of n x n quadrilaterals on each side of a cube, as separate faces: 24 n^2 corners to weld.
-        const auto n = *rc::gen::inRange(1, 4);
+        const int n = support::draw_int(1, 4);
         Mesh mesh;
         const Mesh cube = meshes::cube(0.0, double(n));
         for (std::size_t f = 0; f < 6; ++f) {
@@ -306,7 +308,7 @@ TEST_CASE("validate: a hole or a turned face is found wherever it is") {
             }
         }
         RC_ASSERT(validate(mesh).is_valid(Strictness::strict));
-        const auto f = *rc::gen::inRange<std::size_t>(0, mesh.face_count());
+        const std::size_t f = support::draw_index(mesh.face_count());
         const MeshReport open = validate(meshes::without_face(mesh, f));
         RC_ASSERT(open.open_edges.size() == 4U);
         const MeshReport turned = validate(meshes::with_reversed_face(mesh, f));

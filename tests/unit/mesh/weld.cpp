@@ -3,12 +3,14 @@
 
 #include "support/catch.hpp"
 #include "support/meshes.hpp"
+#include "support/property.hpp"
 
 #include <cmath>
 #include <limits>
 #include <map>
 
 using namespace cleave;
+using support::property;
 
 TEST_CASE("weld: equal points become the first of them, near ones stay apart") {
     const double near = std::nextafter(1.0, 2.0);
@@ -55,7 +57,7 @@ TEST_CASE("weld: a soup of faces becomes the mesh it came from") {
 }
 
 TEST_CASE("weld: agrees with an ordered map on random points") {
-    rc::prop("the least index of an equal point", [](const std::vector<std::array<signed char, 3>>& raw) {
+    property("the least index of an equal point", [](const std::vector<std::array<signed char, 3>>& raw) {
         std::vector<std::array<double, 3>> points;
         for (const auto& p : raw) points.push_back({double(p[0] % 3), double(p[1] % 3), double(p[2] % 3)});
         std::map<std::array<double, 3>, std::uint32_t> seen;

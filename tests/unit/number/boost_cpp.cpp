@@ -9,10 +9,11 @@
 using namespace cleave;
 using boost::multiprecision::cpp_int;
 using boost::multiprecision::cpp_rational;
+using support::property;
 
 TEST_CASE("boost_cpp: integers of any length cross limb by limb and come back") {
-    rc::prop("as the same decimal digits", [] {
-        const Integer x = *generators::wide_integer(30);
+    property("as the same decimal digits", [] {
+        const Integer x = generators::draw_wide_integer(30);
         const cpp_int z = cpp_int_limbs::from_integer(x);
         RC_ASSERT(z.str() == x.to_string());
         RC_ASSERT(cpp_int_limbs::to_integer(z) == x);

@@ -11,10 +11,11 @@
 using namespace cleave;
 using boost::multiprecision::mpq_rational;
 using boost::multiprecision::mpz_int;
+using support::property;
 
 TEST_CASE("boost_gmp: integers of any length cross limb by limb and come back") {
-    rc::prop("as the same decimal digits", [] {
-        const Integer x = *generators::wide_integer(30);
+    property("as the same decimal digits", [] {
+        const Integer x = generators::draw_wide_integer(30);
         const mpz_int z = number_traits<mpz_int>::from_integer(x);
         RC_ASSERT(z.str() == x.to_string());
         RC_ASSERT(number_traits<mpz_int>::to_fraction(z).num == x);

@@ -15,6 +15,7 @@
 #include <vector>
 
 using namespace cleave;
+using support::property;
 
 namespace {
 
@@ -61,7 +62,7 @@ bool is_rounded(const Fraction& value, const std::string& text, int digits) {
 template <class N>
 void check_round_trip() {
     using T = number_traits<N>;
-    const Fraction f = T::is_field ? *generators::fraction() : Fraction{*generators::integer(), 1};
+    const Fraction f = T::is_field ? generators::draw_fraction() : Fraction{generators::draw_integer(), 1};
     const N x = generators::from_value<N>(f);
     RC_ASSERT(to_text(x) == to_text(f));
     RC_ASSERT(parse_number<N>(to_text(x)) == x);
@@ -81,7 +82,7 @@ std::string message_of(std::string_view text) {
 }  // namespace
 
 TEMPLATE_LIST_TEST_CASE("text: what is written is read back", "", backends::Numbers) {
-    rc::prop("as p/q, as a finite decimal, and rounded", [] { check_round_trip<TestType>(); });
+    property("as p/q, as a finite decimal, and rounded", [] { check_round_trip<TestType>(); });
 }
 
 TEST_CASE("text: decimals and fractions are read exactly") {
@@ -156,9 +157,9 @@ TEST_CASE("text: a decimal becomes the nearest double, ties to even") {
     CHECK_THROWS_AS(parse_double("1" + zeros + "e-5"), NumberError);
     CHECK_THROWS_AS(parse_double("1" + zeros), NumberError);
 
-    rc::prop("as the exact value rounded once", [] {
-        const auto mantissa = *generators::wide_integer(2);
-        const int exponent = *rc::gen::inRange(-345, 300);
+    property("as the exact value rounded once", [] {
+        const Integer mantissa = generators::draw_wide_integer(2);
+        const int exponent = support::draw_int(-345, 300);
         std::string text = mantissa.to_string();
         text.insert(text.size() - 1, ".");
         text += "e" + std::to_string(exponent);
@@ -217,9 +218,9 @@ TEST_CASE("text: a value is rounded to significant digits, ties to even") {
     CHECK(rounded("1.5e-8", 2) == "1.5e-8");
     CHECK(rounded("9.99e-8", 1) == "0.0000001");
 
-    rc::prop("by the definition", [] {
-        const Fraction x = *generators::fraction();
-        const int digits = *rc::gen::inRange(1, 45);
+    property("by the definition", [] {
+        const Fraction x = generators::draw_fraction();
+        const int digits = support::draw_int(1, 45);
         RC_ASSERT(is_rounded(x, to_decimal(x, digits), digits));
     });
 }
@@ -248,10 +249,10 @@ TEST_CASE("text: huge fractions are rounded from their leading bits, and exactly
     // A quotient far from one.
     CHECK(text("3e-40", 1, 3) == "3.00e-40");
     CHECK(text("7/3e500", -1, 10) == "2.333333333e-500");
-    rc::prop("as the quotient of small ones", [huge] {
-        const Fraction x = *generators::fraction();
+    property("as the quotient of small ones", [huge] {
+        const Fraction x = generators::draw_fraction();
         RC_PRE(x.num.sign() != Sign::zero);
-        const int digits = *rc::gen::inRange(1, 20);
+        const int digits = support::draw_int(1, 20);
         RC_ASSERT(to_decimal(Fraction{x.num * huge, x.den * huge}, digits) == to_decimal(x, digits));
     });
 }

@@ -14,6 +14,7 @@
 #include <tuple>
 
 using namespace cleave;
+using support::property;
 
 namespace {
 
@@ -22,9 +23,9 @@ using AllNumbers = backends::Join<backends::Numbers, std::tuple<WideInteger, Bas
 /// A value that every number can hold once: an integer for rings.
 template <class N>
 Fraction draw_wide() {
-    const Integer num = *generators::wide_integer(20);
+    const Integer num = generators::draw_wide_integer(20);
     if (!number_traits<N>::is_field) return {num, 1};
-    const Integer den = *generators::wide_integer(20);
+    const Integer den = generators::draw_wide_integer(20);
     return make_fraction(num, den.is_zero() ? Integer(1) : den);
 }
 
@@ -91,7 +92,7 @@ void check_products() {
 template <class N>
 void check_doubles() {
     using T = number_traits<N>;
-    const double drawn = *generators::finite_double();
+    const double drawn = generators::draw_finite_double();
     const double x = T::is_field ? drawn : std::trunc(drawn);
     const N exact = T::from_double(x);
     RC_ASSERT(to_double(exact) == x);
@@ -117,16 +118,16 @@ void check_doubles() {
 }  // namespace
 
 TEMPLATE_LIST_TEST_CASE("traits: values go in and out as fractions, compare and subtract as these do", "", AllNumbers) {
-    rc::prop("wide numbers", [] { check_fractions<TestType>(); });
+    property("wide numbers", [] { check_fractions<TestType>(); });
 }
 
 TEMPLATE_LIST_TEST_CASE("traits: products, exact quotients and greatest common divisors fit together", "", AllNumbers) {
-    rc::prop("small numbers mostly", [] { check_products<TestType>(); });
+    property("small numbers mostly", [] { check_products<TestType>(); });
 }
 
 TEMPLATE_LIST_TEST_CASE("traits: doubles come in exactly and go out correctly rounded in every direction", "",
                         AllNumbers) {
-    rc::prop("any finite double, any value", [] { check_doubles<TestType>(); });
+    property("any finite double, any value", [] { check_doubles<TestType>(); });
 }
 
 TEMPLATE_LIST_TEST_CASE("traits: what is no number of the type is refused", "", AllNumbers) {

@@ -49,6 +49,17 @@ TEST_CASE("convex hull: points in one plane have no interior") {
 
 namespace {
 
+/// At most this many points with coordinates 0 .. 4.
+template <int D>
+std::vector<std::array<int, std::size_t(D)>> draw_points(std::size_t most) {
+    std::vector<std::array<int, std::size_t(D)>> points(draw_index(most + 1));
+    const std::vector<int> drawn = draw_crowded_ints(points.size() * std::size_t(D), 0, 5);
+    auto next = drawn.begin();
+    for (auto& p : points)
+        for (int& x : p) x = *next++;
+    return points;
+}
+
 /// Whether every point is in the hull, every corner of the hull is a point, and no corner can be spared.
 template <int D>
 void check_hull(const std::vector<std::array<int, std::size_t(D)>>& drawn) {
@@ -82,12 +93,6 @@ void check_hull(const std::vector<std::array<int, std::size_t(D)>>& drawn) {
 }  // namespace
 
 TEST_CASE("convex hull: of random points with small integer coordinates") {
-    law("dimension 2", 200, [] {
-        check_hull<2>(*rc::gen::container<std::vector<std::array<int, 2>>>(
-            *rc::gen::inRange<std::size_t>(0, 9), rc::gen::container<std::array<int, 2>>(rc::small_coordinate())));
-    });
-    law("dimension 3", 100, [] {
-        check_hull<3>(*rc::gen::container<std::vector<std::array<int, 3>>>(
-            *rc::gen::inRange<std::size_t>(0, 11), rc::gen::container<std::array<int, 3>>(rc::small_coordinate())));
-    });
+    law("dimension 2", 200, [] { check_hull<2>(draw_points<2>(8)); });
+    law("dimension 3", 100, [] { check_hull<3>(draw_points<3>(10)); });
 }
