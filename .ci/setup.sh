@@ -76,6 +76,13 @@ need_program_libraries() {
 configure() {
     local preset=$1
     shift
+    if [ -z "${CMAKE_CXX_COMPILER_LAUNCHER:-}" ] && command -v ccache >/dev/null 2>&1; then
+        export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+        # Lets ccache keep what was compiled with a precompiled header, and find it again from another clone. The presets
+        # are part of the key: a header precompiled with other flags would be refused by the compiler.
+        export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+        export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_EXTRAFILES=$PWD/CMakePresets.json
+    fi
     [ -z "${CXX:-}" ] || set -- "-DCMAKE_CXX_COMPILER=$CXX" "$@"
     cmake --preset "$preset" "$@"
 }

@@ -54,13 +54,14 @@ Branch copy_subtree(const PlaneTree<Plane, From>& tree, Branch from, TreeParts<P
 }  // namespace detail
 
 /// Calls `visit(branch, cell, split)` for every node and leaf, parents first, minus before plus. `split` is that of a
-/// node's cell by its cut; the visitor may take the lid out of it. A leaf's is empty.
+/// node's cell by its cut; the visitor may take the lid out of it. A leaf's is empty. `space` is the root's cell.
 /// Requires: no cell is empty. Cost: a cell split for each node.
 template <CellClip M, class Label, class Visit>
-void for_each_cell(M& model, const PlaneTree<typename M::plane_type, Label>& tree, Visit&& visit) {
+void for_each_cell(M& model, const PlaneTree<typename M::plane_type, Label>& tree, typename M::cell_type space,
+                   Visit&& visit) {
     using Cell = typename M::cell_type;
     std::vector<std::pair<Branch, Cell>> open;
-    open.emplace_back(tree.root(), model.universe());
+    open.emplace_back(tree.root(), std::move(space));
     while (!open.empty()) {
         const Branch b = open.back().first;
         const Cell cell = std::move(open.back().second);
@@ -73,6 +74,12 @@ void for_each_cell(M& model, const PlaneTree<typename M::plane_type, Label>& tre
         open.emplace_back(tree.plus(b), *std::move(s.plus));
         open.emplace_back(tree.minus(b), *std::move(s.minus));
     }
+}
+
+/// The same for all of space.
+template <CellClip M, class Label, class Visit>
+void for_each_cell(M& model, const PlaneTree<typename M::plane_type, Label>& tree, Visit&& visit) {
+    for_each_cell(model, tree, model.universe(), std::forward<Visit>(visit));
 }
 
 /// Whether every cut runs through the interior of its node's cell, so that every branch stands for a set with an
