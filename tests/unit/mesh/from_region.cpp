@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cleave/mesh/from_region.hpp>
-//
+// The operations that the tests need are compiled once for all tests.
+#include <cleave/extern.hpp>
 #include <cleave/mesh/to_region.hpp>
 #include <cleave/query/measure.hpp>
 #include <cleave/setop/operators.hpp>
