@@ -5,8 +5,8 @@
 #     benchmarks/run.sh [name...] [-- Google Benchmark options]
 #     benchmarks/run.sh --smoke            all of them, an instant each: do they run, and are their answers right?
 #
-# Results are printed, and written as JSON to build/release/benchmarks/. CGAL's Nef polyhedra run beside cleave where
-# libcgal-dev is installed.
+# Results are printed, and written as JSON to build/release/benchmarks/. CGAL's Nef polyhedra and the Parma Polyhedra
+# Library run beside cleave where libcgal-dev and libppl-dev are installed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 source .ci/setup.sh

@@ -140,7 +140,7 @@ void run() {
     drawing.caption(30, 30, "the union of a square and a triangle, and the cuts of its tree");
     drawing.cells(model, trimmed, 30, 50);
     drawing.tree(trimmed, 440, 70);
-    drawing.write("tree.svg", 860, 470);
+    drawing.write("tree.svg", 860, 390);
 }
 
 }  // namespace

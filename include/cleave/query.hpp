@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Questions about regions: exact measures, shells and components.
+/// Questions about regions: exact measures and centroids, shells and components.
 #ifndef CLEAVE_QUERY_HPP
 #define CLEAVE_QUERY_HPP
 
 #include <cleave/query/boundary_edges.hpp>
+#include <cleave/query/centroid.hpp>
 #include <cleave/query/components.hpp>
+#include <cleave/query/cone_simplices.hpp>
 #include <cleave/query/contacts.hpp>
 #include <cleave/query/face_contours.hpp>
 #include <cleave/query/measure.hpp>

@@ -14,5 +14,6 @@
 #include <cleave/region/make.hpp>
 #include <cleave/region/polytope_faces.hpp>
 #include <cleave/region/region.hpp>
+#include <cleave/region/tree.hpp>
 
 #endif

@@ -4,10 +4,9 @@
 #ifndef CLEAVE_QUERY_MEASURE_TERMS_HPP
 #define CLEAVE_QUERY_MEASURE_TERMS_HPP
 
-#include <cleave/algebra/determinant.hpp>
+#include <cleave/query/cone_simplices.hpp>
 #include <cleave/region/boundary.hpp>
 #include <cleave/region/build.hpp>
-#include <cleave/region/polytope_faces.hpp>
 
 #include <algorithm>
 #include <array>
@@ -40,30 +39,6 @@ void fan_terms(std::span<const Corner> loop, const At& at, Term& term) {
     }
 }
 
-/// Calls `term` for the simplices over a facet of dimension D - 1 and the origin: the facet is cut up from its first
-/// vertex, each of its faces without that vertex in the same way. `chosen` holds the vertices chosen so far.
-template <int D, class Term>
-void pulled_terms(Kernel<D>& kernel, const Polytope& body, std::vector<PointId>& chosen, int sign, Term& term) {
-    chosen.push_back(body.points[0]);
-    if (chosen.size() == std::size_t(D)) {
-        std::array<Homogeneous<D>, D> x;
-        Integer denominator(1);
-        for (std::size_t i = 0; i < D; ++i) {
-            x[i] = kernel.coordinates(chosen[i]);
-            denominator *= x[i][D] * Integer(int(i) + 1);
-        }
-        Matrix<D, D, Integer> m;
-        for (int i = 0; i < D; ++i)
-            for (int j = 0; j < D; ++j) m(i, j) = x[std::size_t(i)][std::size_t(j)];
-        const Integer volume = abs(Integer(determinant<WideInteger>(m)));
-        if (!volume.is_zero()) term(sign > 0 ? volume : -volume, denominator);
-    } else {
-        for (const PolytopeFace& face : largest_faces(body))
-            if (face.vertices.front() != 0) pulled_terms(kernel, subpolytope(body, face.vertices), chosen, sign, term);
-    }
-    chosen.pop_back();
-}
-
 }  // namespace detail
 
 /// Calls `term(numerator, denominator)` with fractions whose sum is the D-dimensional measure. Denominators are
@@ -93,15 +68,12 @@ void measure_terms(Kernel<D>& kernel, const Boundary<D>& boundary, const LoadedB
                 term(cross, Integer((p[2] * q[2]) << 1));
             }
         } else if constexpr (D >= 4) {
-            // The origin is on the inside of the plane where its offset is negative.
-            Sign inside = -kernel.planes.exact(unoriented(plane))[D].sign();
-            if (is_flipped(plane)) inside = -inside;
-            if (inside == Sign::zero) continue;
-            PolytopeClip<D> clip(kernel);
-            std::vector<PointId> chosen;
-            for (std::uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l)
-                detail::pulled_terms(kernel, polytope_of(clip, list.loop(l), loaded), chosen,
-                                     inside == Sign::plus ? 1 : -1, term);
+            (void)plane;
+            cone_simplices(kernel, boundary, loaded, face, [&](const std::array<Homogeneous<D>, D>& x, Integer volume) {
+                Integer denominator(1);
+                for (std::size_t i = 0; i < std::size_t(D); ++i) denominator *= x[i][D] * Integer(int(i) + 1);
+                term(volume, denominator);
+            });
         } else {
             const auto& n = kernel.planes.exact(unoriented(plane));
             if (n[3].is_zero()) continue;  // the pyramid over the face is flat

@@ -5,19 +5,12 @@
 #define CLEAVE_SETOP_TREE_EVALUATION_HPP
 
 #include <cleave/base/boolean_function.hpp>
-#include <cleave/bsp/build.hpp>
 #include <cleave/bsp/collapse.hpp>
 #include <cleave/bsp/complement.hpp>
 #include <cleave/bsp/merge.hpp>
-#include <cleave/bsp/tree_boundary.hpp>
-#include <cleave/region/face_merge.hpp>
-#include <cleave/region/facets.hpp>
-#include <cleave/region/far_point.hpp>
-#include <cleave/region/polytope_faces.hpp>
+#include <cleave/region/tree.hpp>
 #include <cleave/setop/options.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -25,21 +18,6 @@
 #include <vector>
 
 CLEAVE_BEGIN_NAMESPACE
-
-/// The tree of a boundary, in a kernel.
-template <int D>
-[[nodiscard]] PlaneTree<PlaneId> tree_of_boundary(const Boundary<D>& boundary, Kernel<D>& kernel) {
-    if constexpr (D <= 3) {
-        KernelClip<D> clip(kernel);
-        PointInterner<D> points(kernel);
-        LoadedFacets<D> loaded = make_facets(boundary, load(boundary, kernel), clip, points);
-        return build(clip, std::move(loaded.facets), Structural<>{}, boundary.value_at_infinity);
-    } else {
-        PolytopeClip<D> clip(kernel);
-        LoadedPolytopes<D> loaded = load_polytopes(boundary, clip);
-        return build(clip, std::move(loaded.facets), Structural<>{}, boundary.value_at_infinity);
-    }
-}
 
 /// One evaluation by merging.
 template <int D>
@@ -61,7 +39,9 @@ public:
         tree_ = collapse(merge_all(trees, function));
         if (options.counts != nullptr) options.counts->result_nodes = tree_.node_count();
         if (options.progress != nullptr) options.progress->begin("boundary", tree_.node_count());
-        assemble();
+        out_ = faces_of_tree(clip_, points_, tree_, [&](std::uint32_t k) {
+            return k < sources_.size() ? sources_[k] : Source{no_id, no_id};
+        });
         if (options.progress != nullptr) options.progress->finish();
     }
 
@@ -111,29 +91,6 @@ private:
             const std::uint32_t k = kernel_.planes.intern_from(b.planes, unoriented(b.faces.faces[f].plane));
             if (sources_[k].operand == no_id)
                 sources_[k] = {static_cast<std::uint32_t>(operand), static_cast<std::uint32_t>(f)};
-        }
-    }
-
-    void assemble() {
-        std::vector<PolytopeFacet<D>> facets = boundary(clip_, tree_);
-        const auto key = [&](const PolytopeFacet<D>& f) {
-            const Source s = sources_[unoriented(f.plane)];
-            return std::array<std::uint32_t, 3>{s.operand, s.face, f.plane};
-        };
-        std::stable_sort(facets.begin(), facets.end(),
-                         [&](const PolytopeFacet<D>& a, const PolytopeFacet<D>& b) { return key(a) < key(b); });
-        std::vector<Corner> loop;
-        for (std::size_t i = 0; i < facets.size();) {
-            const PlaneId plane = facets[i].plane;
-            const Source source = sources_[unoriented(plane)];
-            FaceMerger<D> merger(kernel_, points_);
-            merger.begin(plane);
-            for (; i < facets.size() && facets[i].plane == plane; ++i) {
-                loop.clear();
-                append_loop(kernel_, plane, clip_.body(facets[i]), loop);
-                merger.add(loop);
-            }
-            merger.finish(out_, source);
         }
     }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cleave/region/convex.hpp>
 //
+#include <cleave/bsp/classify.hpp>
 #include <cleave/query/measure.hpp>
 #include <cleave/region/canonical.hpp>
 #include <cleave/setop/engines.hpp>
 #include <cleave/setop/operators.hpp>
+#include <cleave/shape/sphere.hpp>
 
 #include "support/catch.hpp"
 #include "support/convex_sets.hpp"
@@ -145,6 +147,18 @@ TEST_CASE("convex: what is bounded, and what the far point says") {
     CHECK((~box).has_bounded_boundary());
     CHECK((below & box).is_empty());
     CHECK(measure(above & box) == 1);
+}
+
+TEST_CASE("convex: the sets of the documentation") {
+    // [sets]
+    const Region<3> below = half_space(make_plane<Integer>(0, 0, 1, 0));  // z <= 0
+    const std::vector<Plane<2, Integer>> sides{make_plane<Integer>(1, 0, -1), make_plane<Integer>(-1, 0, 0)};
+    const Region<2> strip = half_spaces<2, Integer>(sides);  // 0 <= x <= 1
+    const Region<3> half_ball = sphere({0, 0, 0}, 1) & below;
+    // [/sets]
+    CHECK_FALSE(below.is_bounded());
+    CHECK(strip.face_count() == 2);
+    CHECK(*measure(half_ball) * 2 == *measure(sphere({0, 0, 0}, 1)));
 }
 
 TEST_CASE("convex: coefficients may be rationals and doubles' values of any size") {
