@@ -117,13 +117,13 @@ TEST_CASE("measure terms: a fan needs three corners, and leaves out flat triangl
     const auto at = [&](const Corner& c) { return points[c.point]; };
     auto term = [&](const Integer& num, const Integer& den) { list.push_back({num, den}); };
     const Corner loop[4] = {{0, no_id}, {1, no_id}, {2, no_id}, {3, no_id}};
-    for (const std::size_t n : {0U, 1U, 2U}) detail::fan_terms(std::span<const Corner>(loop, n), at, term);
+    for (const std::size_t n : {0U, 1U, 2U}) cleave::detail::fan_terms(std::span<const Corner>(loop, n), at, term);
     CHECK(list.empty());
-    detail::fan_terms(std::span<const Corner>(loop, 4), at, term);
+    cleave::detail::fan_terms(std::span<const Corner>(loop, 4), at, term);
     // (p0, p1, p2) and (p0, p2, p3): det / 6 over the product of the weights.
     CHECK(list == std::vector<Fraction>{{Integer(1), 60}, {Integer(-1), 30}});
     list.clear();
     const Corner flat[3] = {{0, no_id}, {1, no_id}, {3, no_id}};  // with the origin in one plane
-    detail::fan_terms(std::span<const Corner>(flat, 3), at, term);
+    cleave::detail::fan_terms(std::span<const Corner>(flat, 3), at, term);
     CHECK(list.empty());
 }

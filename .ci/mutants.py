@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Named defects that some test must find.
+
+Each mutant changes one place of one header in a copy of include/, compiles one test file against the copy, and runs it.
+The mutant is killed if the test fails; it survives, and this script fails, if the test passes. A mutant whose text is no
+longer there, or whose test does not compile, is an error too: mutants follow the code.
+
+    .ci/mutants.py [--jobs N] [NAME...]
+
+Needs what tests/run.sh needs, and its build of the test framework (made if it is missing). About half a minute each.
+"""
+import argparse
+import concurrent.futures
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+BUILD = ROOT / "build" / "dev"
+FLAGS = ["-std=c++20", "-O1", "-w", "-DCLEAVE_WITH_GMP", "-DCLEAVE_WITH_BOOST", "-DCLEAVE_PARTS_CHOSEN"]
+
+# name: (header, text, replacement, test)
+MUTANTS = {
+    "polytope: a new vertex does not know the cut": (
+        "clip/polytope.hpp", "if (at == with_.end() || *at != k) with_.insert(at, k);", "(void)at;",
+        "unit/clip/polytope.cpp"),
+    "polytope: any two vertices with enough planes span an edge": (
+        "clip/polytope.hpp",
+        "if (std::includes(own.begin(), own.end(), shared.begin(), shared.end())) return false;", "",
+        "unit/clip/polytope.cpp"),
+    "polytope: touching counts as crossing": (
+        "clip/polytope.hpp", "above = above || signs_[i] == Sign::plus;", "above = above || signs_[i] != Sign::minus;",
+        "unit/clip/polytope.cpp"),
+    "polytope: a line is the first planes through it, independent or not": (
+        "clip/polytope.hpp", "if (D <= 3 || through.size() + 1 == std::size_t(D)) {", "if (true) {",
+        "unit/clip/polytope.cpp"),
+    "polytope: an edge in the cut is forgotten": (
+        "clip/polytope.hpp", "add_edge(s.lid, lid_[i], lid_[j]);", "", "unit/clip/polytope.cpp"),
+    "kernel: the factor of R decides nothing": (
+        "geometry/kernel.hpp", "if (const Sign s = side_at_infinity(k, p); s != Sign::zero) return s;", "",
+        "unit/clip/polytope.cpp"),
+    "kernel: points at infinity are compared by their finite parts": (
+        "geometry/kernel.hpp", "if (const Sign s = compare_reach(i, p, q); s != Sign::zero) return s;", "",
+        "unit/region/convex.cpp"),
+    "kernel: the filter's bound forgets rounding": (
+        "geometry/kernel.hpp", "bound = magnitude * (double(D + 6) * unit)", "bound = magnitude * (0 * unit)",
+        "unit/geometry/kernel.cpp"),
+    "merge: a reduced cell passes for a whole one": (
+        "bsp/merge.hpp", "t.whole_a && by_a, t.whole_b && !by_a", "t.whole_a, t.whole_b", "unit/bsp/merge.cpp"),
+    "merge: a cut that misses the cell is left on the wrong side": (
+        "bsp/merge.hpp", "t.b = b_.child(t.b, s == FacetSide::minus ? ChildSide::minus : ChildSide::plus);",
+        "t.b = b_.child(t.b, s == FacetSide::minus ? ChildSide::plus : ChildSide::minus);", "unit/bsp/merge.cpp"),
+    "trim: a cut goes without a comparison": (
+        "bsp/trim.hpp", "if (agree(plus, minus, v.minus)) {", "if (plus.is_node()) {", "unit/bsp/trim.cpp"),
+    "boundary: facets face as their cut does": (
+        "bsp/tree_boundary.hpp", "facets.push_back(below ? f : model.flip(f));", "facets.push_back(f);",
+        "unit/bsp/cells.cpp"),
+    "boundary: only one subtree is asked": (
+        "bsp/tree_boundary.hpp", "const bool low = pieces_[i].below.is_node();",
+        "const bool low = pieces_[i].below.is_node(); if (!low) { while (pieces_[i].above.is_node()) "
+        "pieces_[i].above = tree_.minus(pieces_[i].above); }", "unit/region/convex.cpp"),
+    "complement: the far point keeps its value": (
+        "region/region.hpp", "b.value_at_infinity = !b.value_at_infinity;", "", "unit/region/convex.cpp"),
+    "convex: a repeated plane gives a repeated face": (
+        "region/convex.hpp", "!= cuts.begin() + std::ptrdiff_t(i))\n            continue;",
+        "!= cuts.begin() + std::ptrdiff_t(i)) {}",
+        "unit/region/convex.cpp"),
+    "canonical: pieces are counted without their signs": (
+        "region/canonical.hpp", "ends.emplace_back(p, -sign);", "ends.emplace_back(p, sign);",
+        "unit/region/canonical.cpp"),
+    "filter: facing the same way counts as facing the opposite way": (
+        "setop/boundary_filter.hpp", "case Coverage::same:\n                    l.below |= bit;",
+        "case Coverage::same:\n                    l.above |= bit;", "unit/region/canonical.cpp"),
+    "filter: coincident pieces come from both operands": (
+        "setop/boundary_filter.hpp", "spread(leaf, j, j < i);", "spread(leaf, j, false);", "property/engines.cpp"),
+}
+
+
+def check(name, scratch):
+    """None where the mutant is killed, a reason otherwise."""
+    header, old, new, test = MUTANTS[name]
+    folder = Path(tempfile.mkdtemp(dir=scratch))
+    include = folder / "include"
+    shutil.copytree(ROOT / "include", include)
+    path = include / "cleave" / header
+    text = path.read_text(encoding="utf-8")
+    if text.count(old) != 1:
+        return f"its text is {text.count(old)} times in {header}"
+    path.write_text(text.replace(old, new), encoding="utf-8")
+    program = folder / "test"
+    compiler = os.environ.get("CXX", "c++")
+    # Only the framework comes compiled; what is tested is compiled here, from the copy.
+    command = [compiler, *FLAGS, f"-I{include}", f"-I{ROOT / 'tests'}", str(ROOT / "tests" / test),
+               str(BUILD / "tests" / "libcleave_test_main.a"), "-o", str(program), "-lrapidcheck", "-lgmpxx", "-lgmp"]
+    if list((BUILD / "tests").glob("libCatch2*")):
+        command.append("-lCatch2")
+    built = subprocess.run(command, capture_output=True, text=True)
+    if built.returncode != 0:
+        return "its test does not compile:\n" + built.stderr[:2000]
+    try:
+        ran = subprocess.run([program], capture_output=True, text=True, timeout=300, cwd=folder)
+    except subprocess.TimeoutExpired:
+        return None
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+    return f"{test} passes with it" if ran.returncode == 0 else None
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Checks that tests find named defects.")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
+    parser.add_argument("names", nargs="*", help="parts of names; all mutants where none is given")
+    arguments = parser.parse_args()
+    chosen = [n for n in MUTANTS if not arguments.names or any(part in n for part in arguments.names)]
+    if not (BUILD / "tests" / "libcleave_test_main.a").is_file():
+        subprocess.run(["cmake", "--preset", "dev"], cwd=ROOT, check=True)
+        subprocess.run(["cmake", "--build", "--preset", "dev", "--target", "cleave_test_main"], cwd=ROOT, check=True)
+    survivors = 0
+    with tempfile.TemporaryDirectory() as scratch, concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        for name, reason in zip(chosen, pool.map(lambda n: check(n, scratch), chosen)):
+            print(f"{'killed' if reason is None else 'ALIVE '}  {name}" + (f": {reason}" if reason else ""), flush=True)
+            survivors += reason is not None
+    print(f"mutants: {len(chosen)}, {survivors} alive")
+    return 1 if survivors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
