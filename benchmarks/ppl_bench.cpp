@@ -28,9 +28,10 @@ using Clock = std::chrono::steady_clock;
 
 template <int D>
 Powerset powerset(const std::vector<boxes::IntegerBox<D>>& list) {
-    Powerset set(ppl::dimension_type(D), ppl::EMPTY);
+    constexpr ppl::dimension_type dimension = D;
+    Powerset set(dimension, ppl::EMPTY);
     for (const boxes::IntegerBox<D>& b : list) {
-        ppl::C_Polyhedron p{ppl::dimension_type(D), ppl::UNIVERSE};
+        ppl::C_Polyhedron p(dimension, ppl::UNIVERSE);
         for (std::size_t i = 0; i < std::size_t(D); ++i) {
             p.add_constraint(ppl::Variable(i) >= b.lo[i]);
             p.add_constraint(ppl::Variable(i) <= b.hi[i]);

@@ -4,7 +4,7 @@
 
 #include <cleave/base/operation.hpp>
 #include <cleave/mesh/mesh_report.hpp>
-#include <cleave/setop/apply.hpp>
+#include <cleave/setop/engines.hpp>
 
 #include <string>
 #include <variant>
