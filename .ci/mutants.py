@@ -102,7 +102,7 @@ def check(name, scratch):
     if built.returncode != 0:
         return "its test does not compile:\n" + built.stderr[:2000]
     try:
-        ran = subprocess.run([program], capture_output=True, text=True, timeout=300, cwd=folder)
+        ran = subprocess.run([program], capture_output=True, timeout=300, cwd=folder)
     except subprocess.TimeoutExpired:
         return None
     finally:

@@ -47,6 +47,9 @@ TEST_CASE("trim: a cut whose one side is uniform stays if the other side's cuts 
     // Inside is the quarter x <= 0, y <= 0.
     const Tree quarter(axis_plane(kernel, 0, 0), Tree(axis_plane(kernel, 1, 0), Tree(true), Tree(false)), Tree(false));
     CHECK(trim(model, quarter) == quarter);
+    // And x >= 0, y <= 0, whose cut in y hangs on the plus side.
+    const Tree mirrored(axis_plane(kernel, 0, 0), Tree(false), Tree(axis_plane(kernel, 1, 0), Tree(true), Tree(false)));
+    CHECK(trim(model, mirrored) == mirrored);
 }
 
 TEST_CASE("trim: [0, 2] from [0, 1] and [1, 2] loses the cut in the middle, which collapse keeps") {
