@@ -3,36 +3,25 @@
 // (or perpendicular to an axis at a double), so after a thousand operations numbers are as long as after one.
 #include <cleave/setop/operators.hpp>
 
+#include "support/convex_sets.hpp"
 #include "support/region_generators.hpp"
-
-#include <random>
 
 using namespace cleave;
 using namespace support;
 
 namespace {
 
-/// A stream of small tools that is the same on every machine (the distributions of the standard library are not).
-class Tools {
-public:
-    explicit Tools(unsigned seed) : random_(seed) {}
-
-    int below(int n) { return int(random_() % unsigned(n)); }
-
-    template <int D>
-    Part<D> part(int size, int range) {
-        Part<D> p;
-        p.is_box = below(2) == 0;
-        std::array<int, std::size_t(D)> corner{};
-        for (int& x : corner) x = below(range - size + 1);
-        for (auto& point : p.points)
-            for (std::size_t i = 0; i < std::size_t(D); ++i) point[i] = corner[i] + below(size + 1);
-        return p;
-    }
-
-private:
-    std::mt19937 random_;
-};
+/// A small box or simplex somewhere in the range.
+template <int D>
+Part<D> random_part(Dice& dice, int size, int range) {
+    Part<D> p;
+    p.is_box = dice.below(2) == 0;
+    std::array<int, std::size_t(D)> corner{};
+    for (int& x : corner) x = dice.below(range - size + 1);
+    for (auto& point : p.points)
+        for (std::size_t i = 0; i < std::size_t(D); ++i) point[i] = corner[i] + dice.below(size + 1);
+    return p;
+}
 
 struct Bits {
     std::size_t planes = 0;
@@ -56,7 +45,7 @@ Bits bits_of(const Region<D>& region) {
 /// Applies `count` tools; verifies every `stride`-th result and the numbers of each.
 template <int D>
 void chain(unsigned seed, int count, int stride, int range, std::size_t plane_bound, std::size_t point_bound) {
-    Tools tools(seed);
+    Dice dice(seed);
     Coordinates<D> lo;
     Coordinates<D> hi;
     for (std::size_t i = 0; i < std::size_t(D); ++i) {
@@ -68,9 +57,9 @@ void chain(unsigned seed, int count, int stride, int range, std::size_t plane_bo
     std::vector<std::pair<Part<D>, Operation>> history;
     Bits longest;
     for (int step = 1; step <= count; ++step) {
-        const Part<D> tool = tools.part<D>(3, range);
+        const Part<D> tool = random_part<D>(dice, 3, range);
         const Operation operation = std::array{Operation::difference, Operation::difference, Operation::union_,
-                                               Operation::symmetric_difference}[std::size_t(tools.below(4))];
+                                               Operation::symmetric_difference}[std::size_t(dice.below(4))];
         history.push_back({tool, operation});
         const bool check_all = step % stride == 0;
         part = check_all ? checked(operation, part, tool.region()) : apply(operation, part, tool.region());
@@ -83,7 +72,7 @@ void chain(unsigned seed, int count, int stride, int range, std::size_t plane_bo
         for (int probe = 0; probe < 20; ++probe) {
             Coordinates<D> p;
             for (std::size_t i = 0; i < std::size_t(D); ++i)
-                p[i] = Rational(tools.below(7 * range)) / 7 + Rational(1) / std::array{1009, 1301, 1523}[i];
+                p[i] = Rational(dice.below(7 * range)) / 7 + Rational(1) / std::array{1009, 1301, 1523}[i];
             bool expected = true;
             for (const auto& [t, o] : history) {
                 const Where w = t.locate(p);

@@ -7,7 +7,7 @@
 #include <cleave/setop/operators.hpp>
 
 #include "support/catch.hpp"
-#include "support/convex_sets.hpp"
+#include "support/convex_regions.hpp"
 
 #include <string>
 #include <vector>
@@ -16,13 +16,6 @@ using namespace cleave;
 using namespace support;
 
 namespace {
-
-template <int D>
-Region<D> region_of(const HalfSpaces<D>& set) {
-    std::vector<Plane<D, Integer>> planes;
-    for (const IntegerPlane<D>& p : set.planes) planes.push_back(make_plane<Integer>(p));
-    return half_spaces<D, Integer>(planes);
-}
 
 /// The operation by both engines, which must agree; the filter's result.
 template <int D>
@@ -38,10 +31,10 @@ Region<D> both(Operation operation, const Region<D>& a, const Region<D>& b) {
 template <int D>
 Region<D> random_region(Dice& dice) {
     const bool bounded = dice.below(2) == 0;
-    Region<D> r = region_of<D>(random_convex<D>(dice, bounded));
+    Region<D> r = region_of<D>(random_convex<D>(dice, bounded).planes);
     for (int n = dice.below(3); n > 0; --n) {
         const Operation operation = all_operations[std::size_t(dice.below(4))];
-        r = both(operation, r, region_of<D>(random_convex<D>(dice, bounded)));
+        r = both(operation, r, region_of<D>(random_convex<D>(dice, bounded).planes));
     }
     return dice.below(4) == 0 ? ~r : r;
 }

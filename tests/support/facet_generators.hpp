@@ -13,17 +13,17 @@
 #include <utility>
 #include <vector>
 
-namespace support {
-
-namespace detail {
+namespace generators {
 
 template <class Facet>
 void show_vertices(std::ostream& out, const Facet& f) {
     out << "facet";
-    for (const auto& p : cleave::vertices(f)) generators::show_homogeneous(out << " ", p.homogeneous());
+    for (const auto& p : cleave::vertices(f)) show_homogeneous(out << " ", p.homogeneous());
 }
 
-}  // namespace detail
+}  // namespace generators
+
+namespace support {
 
 template <class N>
 struct Drawn<cleave::Facet<1, N>> {
@@ -42,7 +42,7 @@ struct Drawn<cleave::Facet<2, N>> {
         const std::vector<int> ends = generators::draw_segment();
         return *cleave::make_facet(generators::point<2, N>(ends, 0), generators::point<2, N>(ends, 1));
     }
-    static void show(std::ostream& out, const cleave::Facet<2, N>& f) { detail::show_vertices(out, f); }
+    static void show(std::ostream& out, const cleave::Facet<2, N>& f) { generators::show_vertices(out, f); }
 };
 
 /// A triangle, and what a few cuts leave of it: up to seven corners, edge planes of all kinds.
@@ -59,7 +59,7 @@ struct Drawn<cleave::Facet<3, N>> {
         }
         return f;
     }
-    static void show(std::ostream& out, const cleave::Facet<3, N>& f) { detail::show_vertices(out, f); }
+    static void show(std::ostream& out, const cleave::Facet<3, N>& f) { generators::show_vertices(out, f); }
 };
 
 }  // namespace support

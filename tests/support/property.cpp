@@ -136,7 +136,7 @@ std::vector<bool> draw_membership() {
     return belongs;
 }
 
-bool detail::is_counterexample() {
+bool property_detail::is_counterexample() {
     try {
         throw;
     } catch (const rc::detail::CaseResult& result) {
@@ -148,7 +148,7 @@ bool detail::is_counterexample() {
     }
 }
 
-std::ostream& detail::counterexample_log() {
+std::ostream& property_detail::counterexample_log() {
     return rc::detail::log();
 }
 

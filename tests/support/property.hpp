@@ -137,7 +137,7 @@ struct Drawn<std::vector<T>> {
 
 // --- properties -------------------------------------------------------------------------------------------------
 
-namespace detail {
+namespace property_detail {
 
 /// Whether the exception being handled says that the property is false, and not that the case does not count.
 [[nodiscard]] bool is_counterexample();
@@ -187,18 +187,20 @@ void call_with_drawn(const Body& body, void (Class::*)(Arguments...) const) {
     Call{body, Drawn<std::remove_cvref_t<Arguments>>::draw()...};
 }
 
-}  // namespace detail
+}  // namespace property_detail
 
 /// A property with its own number of cases, for bodies that take long and for those that need many.
 template <class Body>
 void law(const std::string& description, std::size_t cases, const Body& body) {
-    check_property(description, cases_of_law(cases), [&body] { detail::call_with_drawn(body, &Body::operator()); });
+    check_property(description, cases_of_law(cases),
+                   [&body] { property_detail::call_with_drawn(body, &Body::operator()); });
 }
 
 /// A property that is checked in rapidcheck's usual number of cases.
 template <class Body>
 void property(const std::string& description, const Body& body) {
-    check_property(description, cases_of_property(), [&body] { detail::call_with_drawn(body, &Body::operator()); });
+    check_property(description, cases_of_property(),
+                   [&body] { property_detail::call_with_drawn(body, &Body::operator()); });
 }
 
 }  // namespace support

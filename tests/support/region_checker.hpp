@@ -6,7 +6,6 @@
 
 #include "support/exact_region.hpp"
 
-#include <cleave/algebra/echelon.hpp>
 #include <cleave/extern.hpp>
 
 #include <algorithm>
@@ -105,9 +104,8 @@ public:
     }
 
     /// That nothing was constructed from constructed things: every plane of the region is an operand's, or (for edges
-    /// only) perpendicular to an axis at a position that is a double; every point that is not stored as a meet of
-    /// planes is an operand's point or lies on D independent planes of operands; hence numbers are no longer than the
-    /// operands' own.
+    /// only) perpendicular to an axis at a position that is a double; every point that is not a meet of planes is an
+    /// operand's point; hence numbers are no longer than the operands' own.
     void verify_names(std::span<const cleave::Boundary<D>* const> operands) const {
         std::set<Coefficients<D>> face_planes;
         std::set<Coefficients<D>> planes;
@@ -131,28 +129,13 @@ public:
                 require(!std::isnan(b_->planes.axis_position(k)), "a plane is neither an operand's nor axis-parallel");
             }
         }
-        for (const auto& r : b_->points) {
-            if (r.kind == cleave::PointRecord<D>::Kind::meet) continue;
-            const Point x = ExactRegion<D>::coordinates(*b_, r);
-            require(points.count(x) == 1 || rank_at(planes, x) == D,
-                    "a point given by coordinates is no point of an operand, nor where D planes of operands meet");
-        }
+        for (const auto& r : b_->points)
+            if (r.kind != cleave::PointRecord<D>::Kind::meet)
+                require(points.count(ExactRegion<D>::coordinates(*b_, r)) == 1,
+                        "a point given by coordinates is no point of an operand");
     }
 
 private:
-    /// The rank of the normals of the planes through x.
-    static int rank_at(const std::set<Coefficients<D>>& planes, const Point& x) {
-        std::vector<const Coefficients<D>*> through;
-        for (const Coefficients<D>& h : planes) {
-            Rational value = h[std::size_t(D)];
-            for (std::size_t i = 0; i < std::size_t(D); ++i) value += h[i] * x[i];
-            if (value == 0) through.push_back(&h);
-        }
-        const cleave::Echelon<Rational> echelon(
-            int(through.size()), D, [&](int i, int j) { return (*through[std::size_t(i)])[std::size_t(j)]; });
-        return echelon.rank();
-    }
-
     static void require(bool condition, const std::string& message) {
         if (!condition) throw Defect(message);
     }

@@ -67,7 +67,7 @@ private:
     void cut_cell(Cell cell) {
         Plane h = choose_cut(cell.facets());
         const Branch node = parts_.add_node(h);
-        hang(cell.parent, cell.side, node);
+        parts_.hang(cell.parent, cell.side, node);
 
         const bool minus_label = sides_.counts[FacetSide::on_same] != 0;
         const bool keep_minus = sides_.counts.to_minus() >= sides_.counts.to_plus();
@@ -144,17 +144,9 @@ private:
     /// A child without facets is a leaf; another is cut later.
     void finish(Cell cell, bool label) {
         if (cell.first == cell.store.size()) {
-            hang(cell.parent, cell.side, parts_.add_leaf(label));
+            parts_.hang(cell.parent, cell.side, parts_.add_leaf(label));
         } else {
             open_.push_back(std::move(cell));
-        }
-    }
-
-    void hang(Branch parent, ChildSide side, Branch child) {
-        if (parent.is_none()) {
-            parts_.root = child;
-        } else {
-            parts_.nodes[parent.index()].child(side) = child;
         }
     }
 

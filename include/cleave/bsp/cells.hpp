@@ -17,15 +17,6 @@ CLEAVE_BEGIN_NAMESPACE
 
 namespace detail {
 
-/// Puts a finished branch where it belongs in a tree under construction.
-template <class Plane, class Label>
-void hang_branch(TreeParts<Plane, Label>& parts, Branch parent, ChildSide side, Branch child) {
-    if (parent.is_none())
-        parts.root = child;
-    else
-        parts.nodes[parent.index()].child(side) = child;
-}
-
 /// Appends a copy of the subtree under `from`, its labels passed through f. Returns its root.
 template <class Plane, class From, class Label, class F>
 Branch copy_subtree(const PlaneTree<Plane, From>& tree, Branch from, TreeParts<Plane, Label>& to, F&& f) {
@@ -43,12 +34,34 @@ Branch copy_subtree(const PlaneTree<Plane, From>& tree, Branch from, TreeParts<P
         if (c.parent.is_none())
             root = made;
         else
-            to.nodes[c.parent.index()].child(c.side) = made;
+            to.hang(c.parent, c.side, made);
         if (c.branch.is_leaf()) continue;
         open.push_back({tree.plus(c.branch), made, ChildSide::plus});
         open.push_back({tree.minus(c.branch), made, ChildSide::minus});
     }
     return root;
+}
+
+/// Calls `visit(branch, cell, split)` as `for_each_cell` does, while it returns true. Returns whether it did to the
+/// end.
+template <CellClip M, class Label, class Visit>
+bool walk_cells(M& model, const PlaneTree<typename M::plane_type, Label>& tree, typename M::cell_type space,
+                Visit&& visit) {
+    using Cell = typename M::cell_type;
+    std::vector<std::pair<Branch, Cell>> open;
+    open.emplace_back(tree.root(), std::move(space));
+    while (!open.empty()) {
+        const Branch b = open.back().first;
+        const Cell cell = std::move(open.back().second);
+        open.pop_back();
+        CellSplit<Cell, typename M::facet_type> s;
+        if (b.is_node()) s = model.split_cell(tree.cut(b), cell);
+        if (!visit(b, cell, s)) return false;
+        if (b.is_leaf()) continue;
+        open.emplace_back(tree.plus(b), *std::move(s.plus));
+        open.emplace_back(tree.minus(b), *std::move(s.minus));
+    }
+    return true;
 }
 
 }  // namespace detail
@@ -59,21 +72,11 @@ Branch copy_subtree(const PlaneTree<Plane, From>& tree, Branch from, TreeParts<P
 template <CellClip M, class Label, class Visit>
 void for_each_cell(M& model, const PlaneTree<typename M::plane_type, Label>& tree, typename M::cell_type space,
                    Visit&& visit) {
-    using Cell = typename M::cell_type;
-    std::vector<std::pair<Branch, Cell>> open;
-    open.emplace_back(tree.root(), std::move(space));
-    while (!open.empty()) {
-        const Branch b = open.back().first;
-        const Cell cell = std::move(open.back().second);
-        open.pop_back();
-        CellSplit<Cell, typename M::facet_type> s;
-        if (b.is_node()) s = model.split_cell(tree.cut(b), cell);
-        visit(b, cell, s);
-        if (b.is_leaf()) continue;
-        CLEAVE_CHECK_CONTRACT("requirement", s.side == FacetSide::crossing);
-        open.emplace_back(tree.plus(b), *std::move(s.plus));
-        open.emplace_back(tree.minus(b), *std::move(s.minus));
-    }
+    detail::walk_cells(model, tree, std::move(space), [&](Branch b, const auto& cell, auto& split) {
+        CLEAVE_CHECK_CONTRACT("requirement", b.is_leaf() || split.side == FacetSide::crossing);
+        visit(b, cell, split);
+        return true;
+    });
 }
 
 /// The same for all of space.
@@ -86,20 +89,9 @@ void for_each_cell(M& model, const PlaneTree<typename M::plane_type, Label>& tre
 /// interior. Trees made by this library are like that; `restricted` makes any tree so.
 template <CellClip M, class Label>
 [[nodiscard]] bool has_no_empty_cell(M& model, const PlaneTree<typename M::plane_type, Label>& tree) {
-    using Cell = typename M::cell_type;
-    std::vector<std::pair<Branch, Cell>> open;
-    open.emplace_back(tree.root(), model.universe());
-    while (!open.empty()) {
-        const Branch b = open.back().first;
-        const Cell cell = std::move(open.back().second);
-        open.pop_back();
-        if (b.is_leaf()) continue;
-        auto s = model.split_cell(tree.cut(b), cell);
-        if (s.side != FacetSide::crossing) return false;
-        open.emplace_back(tree.plus(b), *std::move(s.plus));
-        open.emplace_back(tree.minus(b), *std::move(s.minus));
-    }
-    return true;
+    return detail::walk_cells(model, tree, model.universe(), [](Branch b, const auto&, const auto& split) {
+        return b.is_leaf() || split.side == FacetSide::crossing;
+    });
 }
 
 /// The *sub-hyperplane* of each node, the part of its cut inside its cell, facing as the cut does; by number of node.
@@ -137,13 +129,13 @@ template <CellClip M, class Label>
         open.pop_back();
         for (;;) {
             if (t.from.is_leaf()) {
-                detail::hang_branch(to, t.parent, t.side, to.add_leaf(tree.label(t.from)));
+                to.hang(t.parent, t.side, to.add_leaf(tree.label(t.from)));
                 break;
             }
             auto s = model.split_cell(tree.cut(t.from), t.cell);
             if (s.side == FacetSide::crossing) {
                 const Branch node = to.add_node(tree.cut(t.from));
-                detail::hang_branch(to, t.parent, t.side, node);
+                to.hang(t.parent, t.side, node);
                 open.push_back({*std::move(s.plus), tree.plus(t.from), node, ChildSide::plus});
                 open.push_back({*std::move(s.minus), tree.minus(t.from), node, ChildSide::minus});
                 break;

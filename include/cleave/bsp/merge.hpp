@@ -145,7 +145,7 @@ private:
         }
     }
 
-    void hang(const Task& t, Branch child) { hang_branch(to_, t.parent, t.side, child); }
+    void hang(const Task& t, Branch child) { to_.hang(t.parent, t.side, child); }
 
     M& model_;
     const PlaneTree<Plane, A>& a_;
@@ -163,9 +163,8 @@ private:
 /// the other operand (see `BooleanRule`); such cells are not cut further.
 /// Requires: neither tree has empty cells. Returns: a tree without empty cells, numbered parents first; equal
 ///   neighbours are left for `collapse` to join. The cuts of a come before those of b.
-/// Cost: for each cell of a not decided by a alone, a walk down b with a side test of the cell at each node passed and
-/// a
-///   split at each one that crosses it. Subtrees of a in which b does not cut are copied without any test.
+/// Cost: for each cell of a not decided by a alone, a walk down b with a side test of the cell at each node passed
+///   and a split at each one that crosses it. Subtrees of a in which b does not cut are copied without any test.
 template <CellClip M, class A, class B, class Rule>
 requires std::invocable<Rule&, const A&, const B&>
 [[nodiscard]] auto merge(M& model, const PlaneTree<typename M::plane_type, A>& a,

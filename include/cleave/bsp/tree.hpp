@@ -106,6 +106,13 @@ struct TreeParts {
         leaves.push_back(TreeLeaf<Label>{std::move(label)});
         return b;
     }
+    /// Makes `child` the child of `parent` on that side, or the root where there is no parent.
+    void hang(Branch parent, ChildSide side, Branch child) {
+        if (parent.is_none())
+            root = child;
+        else
+            nodes[parent.index()].child(side) = child;
+    }
 
 private:
     static std::uint32_t checked_index(std::size_t size) {

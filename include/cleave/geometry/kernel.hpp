@@ -140,8 +140,8 @@ public:
     const Exact& exact(PointId p) {
         Record& r = points_[p];
         if (r.exact == no_id) {
-            r.exact = store(r.kind == Record::Kind::doubles ? from_doubles(r.approximation) : meet(r.planes));
-            if (r.kind == Record::Kind::meet) ++counts_.exact_points;
+            r.exact = store(r.is_of_doubles() ? from_doubles(r.approximation) : meet(r.planes));
+            if (!r.is_of_doubles()) ++counts_.exact_points;
             if (is_infinite(p)) reaches_.emplace(r.exact, meet_reach(r.planes));
         }
         return exact_[r.exact];
@@ -166,7 +166,7 @@ public:
             const Record& a = points_[p];
             const Record& b = points_[q];
             const double difference = a.approximation[i] - b.approximation[i];
-            if (a.error == 0 && b.error == 0)
+            if (a.is_of_doubles() && b.is_of_doubles())
                 return sign_of_value(int(a.approximation[i] > b.approximation[i]) -
                                      int(a.approximation[i] < b.approximation[i]));
             const double bound = (a.error + b.error) * (1 + 0x1p-50) + std::abs(difference) * 0x1p-52 + 0x1p-1000;
@@ -200,7 +200,7 @@ public:
     std::optional<Residues> residues(PointId p) {
         Residues x;
         const Record& r = points_[p];
-        if (r.kind == Record::Kind::doubles) {
+        if (r.is_of_doubles()) {
             for (std::size_t i = 0; i < D; ++i) x[i] = residue_of(r.approximation[i]);
             return x;
         }
@@ -296,10 +296,10 @@ public:
         return planes.intern(std::move(c));
     }
 
-    /// A copy of the exact coordinates of p; not kept for points given by doubles.
+    /// A copy of the exact coordinates of p; not kept for points whose approximation is exact.
     Exact coordinates(PointId p) {
         const Record& r = points_[p];
-        return r.kind == Record::Kind::doubles ? from_doubles(r.approximation) : exact(p);
+        return r.is_of_doubles() ? from_doubles(r.approximation) : exact(p);
     }
 
 private:
@@ -361,7 +361,7 @@ private:
                 ++counts_.by_identity;
                 return Sign::zero;
             }
-        if (r.error == 0 && planes.axis(k) >= 0) {
+        if (r.is_of_doubles() && planes.axis(k) >= 0) {
             const double at = planes.axis_position(k);
             const double x = r.approximation[std::size_t(planes.axis(k))];
             if (at == at) return x < at ? Sign::minus : (x > at ? Sign::plus : Sign::zero);
@@ -387,7 +387,7 @@ private:
         const auto& n = planes.exact(k);
         const Record& r = points_[p];
         WideInteger sum;
-        if (r.kind == Record::Kind::doubles) {
+        if (r.is_of_doubles()) {
             const Exact e = from_doubles(r.approximation);
             for (std::size_t i = 0; i <= D; ++i) add_product(sum, n[i], e[i]);
         } else {
@@ -419,7 +419,7 @@ private:
         return difference.sign();
     }
 
-    /// Turns a meet of D axis-parallel planes at doubles into the point of doubles that it is. Returns whether it was.
+    /// Notes that a meet of D axis-parallel planes at doubles is a point of doubles. Returns whether it is one.
     bool place_on_axes(Record& r) const {
         std::array<double, D> x{};
         for (const std::uint32_t k : r.planes) {
@@ -430,7 +430,6 @@ private:
         }
         r.approximation = x;
         r.error = 0;
-        r.kind = Record::Kind::doubles;
         r.rounded = true;
         return true;
     }

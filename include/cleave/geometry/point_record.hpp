@@ -25,10 +25,13 @@ struct PointRecord {
     /// |x_i - approximation_i| <= error for every i; 0: exact; infinity: not known yet.
     double error = 0;
     std::array<std::uint32_t, D> planes = filled();
-    /// Index of the exact coordinates, `no_id` while they are not needed (a `doubles` point never needs them).
+    /// Index of the exact coordinates, `no_id` while they are not needed (a point of doubles hardly ever needs them).
     std::uint32_t exact = no_id;
     Kind kind = Kind::doubles;
     bool rounded = true;  ///< whether the approximation is the correctly rounded value of each coordinate
+
+    /// Whether the approximation is the point itself: an input point of doubles, or a meet that is one.
+    [[nodiscard]] bool is_of_doubles() const noexcept { return error == 0; }
 
 private:
     static constexpr std::array<std::uint32_t, D> filled() {

@@ -54,7 +54,7 @@ void measure_terms(Kernel<D>& kernel, const Boundary<D>& boundary, const LoadedB
     const FaceList& list = boundary.faces;
     const auto at = [&](const Corner& corner) { return kernel.coordinates(loaded.first_point + corner.point); };
     for (const FaceList::Face& face : list.faces) {
-        const PlaneId plane = loaded.plane(face.plane);
+        [[maybe_unused]] const PlaneId plane = loaded.plane(face.plane);
         if constexpr (D == 1) {
             Homogeneous<1> x = at(list.loop(face.first_loop)[0]);
             if (is_flipped(plane)) x[0].negate();
@@ -68,7 +68,6 @@ void measure_terms(Kernel<D>& kernel, const Boundary<D>& boundary, const LoadedB
                 term(cross, Integer((p[2] * q[2]) << 1));
             }
         } else if constexpr (D >= 4) {
-            (void)plane;
             cone_simplices(kernel, boundary, loaded, face, [&](const std::array<Homogeneous<D>, D>& x, Integer volume) {
                 Integer denominator(1);
                 for (std::size_t i = 0; i < std::size_t(D); ++i) denominator *= x[i][D] * Integer(int(i) + 1);
@@ -85,7 +84,7 @@ void measure_terms(Kernel<D>& kernel, const Boundary<D>& boundary, const LoadedB
             for (std::uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
                 const std::span<const Corner> loop = list.loop(l);
                 const bool doubles = std::all_of(loop.begin(), loop.end(), [&](const Corner& corner) {
-                    return kernel.point(loaded.first_point + corner.point).kind == PointRecord<3>::Kind::doubles;
+                    return kernel.point(loaded.first_point + corner.point).is_of_doubles();
                 });
                 if (doubles) {
                     detail::fan_terms(loop, at, term);

@@ -72,7 +72,7 @@ void check_polytope(Kernel<D>& kernel, const Polytope& p, const std::vector<Plan
     CHECK(edges == again.edges);
 }
 
-/// Faces by dimension: f[0] vertices, ..., f[d] the polytope, counted from sets of vertices.
+/// How many faces lie two dimensions below the polytope: the largest faces of its largest faces, each once.
 std::size_t count_ridges(const Polytope& p) {
     std::vector<std::vector<PointId>> ridges;
     for (const PolytopeFace& facet : largest_faces(p)) {

@@ -9,7 +9,7 @@
 #include <cleave/shape/sphere.hpp>
 
 #include "support/catch.hpp"
-#include "support/convex_sets.hpp"
+#include "support/convex_regions.hpp"
 
 #include <array>
 #include <cstddef>
@@ -20,13 +20,6 @@ using namespace cleave;
 using namespace support;
 
 namespace {
-
-template <int D>
-Region<D> region_of(const std::vector<IntegerPlane<D>>& list) {
-    std::vector<Plane<D, Integer>> planes;
-    for (const IntegerPlane<D>& p : list) planes.push_back(make_plane<Integer>(p));
-    return half_spaces<D, Integer>(planes);
-}
 
 /// sign * x_i + c <= 0.
 template <int D>
