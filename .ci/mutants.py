@@ -77,6 +77,18 @@ MUTANTS = {
         "case Coverage::same:\n                    l.above |= bit;", "unit/region/canonical.cpp"),
     "filter: coincident pieces come from both operands": (
         "setop/boundary_filter.hpp", "spread(leaf, j, j < i);", "spread(leaf, j, false);", "property/engines.cpp"),
+    "separated operands: the second is below the first, and nobody says so": (
+        "setop/tree_evaluation.hpp", "return a_first ? h : flipped(h);", "return h;", "unit/setop/separated.cpp"),
+    "separated operands: boxes that touch count as apart": (
+        "setop/tree_evaluation.hpp", "if (!(lo < middle && middle < hi)) continue;", "if (!(lo <= hi)) continue;",
+        "unit/setop/separated.cpp"),
+    "transform: a reflection leaves loops as they are": (
+        "region/transform.hpp", "if (mirrored) reverse_loop<D>(loop);", "", "property/transforms.cpp"),
+    "transform: a reflected half-line keeps its infinity": (
+        "region/transform.hpp", "if (D == 1 && mirrored && list.faces.size() % 2 != 0) far = !far;", "",
+        "property/transforms.cpp"),
+    "hull: its facets are left in the polar's coordinates": (
+        "shape/polar_hull.hpp", "c[std::size_t(D)] -= c[axis] * centre_[axis];", "", "unit/query/representation.cpp"),
 }
 
 

@@ -42,6 +42,10 @@
     CLEAVE_EXTERN template Region<D> evaluate<D, Rational>(Engine, const BooleanFunction&, std::span<const Region<D>>, \
                                                            const OperationOptions&);                                   \
     CLEAVE_EXTERN template std::string canonical<D, Rational>(const Region<D>&);                                       \
+    CLEAVE_EXTERN template bool equal<D, Rational>(const Region<D>&, const Region<D>&);                                \
+    CLEAVE_EXTERN template Region<D> transform<D, Rational, Integer>(const AffineMap<D, Integer>&, const Region<D>&);  \
+    CLEAVE_EXTERN template Region<D> transform<D, Rational, Rational>(const AffineMap<D, Rational>&,                   \
+                                                                      const Region<D>&);                               \
     CLEAVE_EXTERN template std::optional<Rational> measure<D, Rational>(const Region<D>&);                             \
     CLEAVE_EXTERN template std::optional<Modular<first_prime>> measure_modulo<first_prime, D, Rational>(               \
         const Region<D>&);                                                                                             \

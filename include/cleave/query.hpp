@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Questions about regions: exact measures and centroids, shells and components.
+/// Questions about regions: exact measures and centroids, vertices and facet planes, shells and components.
 #ifndef CLEAVE_QUERY_HPP
 #define CLEAVE_QUERY_HPP
 
@@ -12,6 +12,7 @@
 #include <cleave/query/measure.hpp>
 #include <cleave/query/measure_fraction.hpp>
 #include <cleave/query/measure_terms.hpp>
+#include <cleave/query/representation.hpp>
 #include <cleave/query/residue_system.hpp>
 #include <cleave/query/shells.hpp>
 

@@ -14,6 +14,8 @@
 #include <cleave/region/make.hpp>
 #include <cleave/region/polytope_faces.hpp>
 #include <cleave/region/region.hpp>
+#include <cleave/region/section.hpp>
+#include <cleave/region/transform.hpp>
 #include <cleave/region/tree.hpp>
 
 #endif

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Set operations: any Boolean function of regions by boundary filtering, and the operators.
+/// Set operations: any Boolean function of regions by either engine, the operators, and comparison.
 #ifndef CLEAVE_SETOP_HPP
 #define CLEAVE_SETOP_HPP
 
 #include <cleave/setop/apply.hpp>
 #include <cleave/setop/boundary_filter.hpp>
+#include <cleave/setop/compare.hpp>
 #include <cleave/setop/engines.hpp>
 #include <cleave/setop/filter_evaluation.hpp>
 #include <cleave/setop/operators.hpp>

@@ -7,6 +7,7 @@
 
 #include <cleave/region/region.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -162,6 +163,7 @@ public:
             }
             faces_.push_back(std::move(face));
         }
+        for (const ExactFace<D>& f : faces_) boxes_.push_back(box_of(f));
         if constexpr (D == 3)
             for (const ExactFace<D>& f : faces_) shadows_.push_back(shadow(f));
     }
@@ -218,6 +220,8 @@ public:
 
     [[nodiscard]] bool on_face(std::size_t f, const Point& p) const {
         const ExactFace<D>& face = faces_[f];
+        for (std::size_t i = 0; i < dimension; ++i)
+            if (p[i] < boxes_[f].lo[i] || p[i] > boxes_[f].hi[i]) return false;
         if (value<D>(face.plane, p) != 0) return false;
         if constexpr (D == 1) {
             return true;
@@ -316,6 +320,22 @@ private:
         std::vector<std::vector<Coordinates<2>>> loops;
     };
 
+    struct Box {
+        Point lo;
+        Point hi;
+    };
+
+    [[nodiscard]] static Box box_of(const ExactFace<D>& f) {
+        Box box{f.loops[0][0], f.loops[0][0]};
+        for (const auto& loop : f.loops)
+            for (const Point& p : loop)
+                for (std::size_t i = 0; i < dimension; ++i) {
+                    box.lo[i] = std::min(box.lo[i], p[i]);
+                    box.hi[i] = std::max(box.hi[i], p[i]);
+                }
+        return box;
+    }
+
     [[nodiscard]] static Coordinates<2> project(const Shadow& s, const Point& p) requires(D == 3) {
         return {p[s.u], p[s.v]};
     }
@@ -336,6 +356,9 @@ private:
     /// the face's edge or runs along its plane, or p lies on the face.
     [[nodiscard]] std::optional<int> hit(std::size_t f, const Point& p, const Point& d) const {
         const ExactFace<D>& face = faces_[f];
+        // All of the face is behind the ray's start.
+        for (std::size_t i = 0; i < dimension; ++i)
+            if ((d[i] > 0 && boxes_[f].hi[i] < p[i]) || (d[i] < 0 && boxes_[f].lo[i] > p[i])) return 0;
         const Rational speed = dot(normal<D>(face.plane), d);
         const Rational distance = value<D>(face.plane, p);
         if (speed == 0) {
@@ -474,6 +497,7 @@ private:
     bool value_at_infinity_ = false;
     std::vector<ExactFace<D>> faces_;
     std::vector<Point> points_;
+    std::vector<Box> boxes_;
     std::vector<Shadow> shadows_;  // D = 3: of each face
 };
 

@@ -27,7 +27,7 @@ public:
 
     TreeEvaluation(std::span<const Boundary<D>* const> operands, const BooleanFunction& function,
                    const OperationOptions& options)
-        : clip_(kernel_), points_(kernel_), options_(&options) {
+        : clip_(kernel_), points_(kernel_), operands_(operands), options_(&options) {
         std::vector<PlaneTree<PlaneId>> trees;
         if (options.progress != nullptr) options.progress->begin("trees", operands.size());
         for (const Boundary<D>* b : operands) {
@@ -64,6 +64,8 @@ private:
         }
         if (trees.size() == 1) return relabel(trees[0], [&](bool a) { return function(a ? 1 : 0); });
         if (trees.size() == 2) {
+            const BooleanRule in_order([&](bool a, bool b) { return function((a ? 1U : 0U) | (b ? 2U : 0U)); });
+            if (const PlaneId h = separating_plane(); h != no_id) return counted(side_by_side(h, trees, in_order));
             // The larger one goes first: what the other does not touch of it is copied.
             const bool swapped = trees[0].node_count() < trees[1].node_count();
             const BooleanRule rule([&](bool a, bool b) {
@@ -77,6 +79,33 @@ private:
                 clip_, sum, trees[i], [i](Bits bits, bool b) { return bits | Bits(b ? 1 : 0) << i; },
                 options_->progress));
         return counted(relabel(std::move(sum), [&](Bits bits) { return function(bits); }));
+    }
+
+    /// A plane between the boxes of two operands, its minus side that of the first; `no_id` where they are not apart.
+    PlaneId separating_plane() {
+        const Bounds<D>& a = operands_[0]->bounds;
+        const Bounds<D>& b = operands_[1]->bounds;
+        if (operands_[0]->faces.faces.empty() || operands_[1]->faces.faces.empty()) return no_id;
+        for (std::size_t i = 0; i < std::size_t(D); ++i)
+            for (const bool a_first : {true, false}) {
+                const double lo = a_first ? a.hi[i] : b.hi[i];
+                const double hi = a_first ? b.lo[i] : a.lo[i];
+                // Strictly between, so that it is no cut of either. Finite: boxes of unbounded sets are not apart.
+                const double middle = lo + (hi - lo) / 2;
+                if (!(lo < middle && middle < hi)) continue;
+                const PlaneId h = kernel_.planes.intern_axis_plane(int(i), middle);
+                return a_first ? h : flipped(h);
+            }
+        return no_id;
+    }
+
+    /// Operands on the two sides of a plane need no merging: on each side one of them is constant, and every cut of the
+    /// other one's tree runs between or through facets on that side, so no cell becomes empty.
+    PlaneTree<PlaneId> side_by_side(PlaneId h, const std::vector<PlaneTree<PlaneId>>& trees, const BooleanRule& rule) {
+        const bool a = operands_[0]->value_at_infinity;
+        const bool b = operands_[1]->value_at_infinity;
+        return PlaneTree<PlaneId>(h, relabel(trees[0], [&](bool x) { return rule(x, b); }),
+                                  relabel(trees[1], [&](bool x) { return rule(a, x); }));
     }
 
     PlaneTree<PlaneId> counted(PlaneTree<PlaneId> tree) {
@@ -97,6 +126,7 @@ private:
     Kernel<D> kernel_;
     PolytopeClip<D> clip_;
     PointInterner<D> points_;
+    std::span<const Boundary<D>* const> operands_;
     const OperationOptions* options_;
     std::vector<Source> sources_;
     PlaneTree<PlaneId> tree_;

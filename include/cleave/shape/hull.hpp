@@ -8,6 +8,7 @@
 #include <cleave/geometry/side.hpp>
 #include <cleave/mesh/to_region.hpp>
 #include <cleave/region/make.hpp>
+#include <cleave/shape/polar_hull.hpp>
 #include <cleave/shape/rational_point.hpp>
 
 #include <algorithm>
@@ -164,13 +165,13 @@ private:
 }  // namespace detail
 
 /// The convex hull of points in any order and number, duplicates allowed. Points that span no interior (too few, or all
-/// in one hyperplane) give the empty set. In 3-D each plane of the hull carries one polygon, whatever number of points
-/// lie on it, and only extreme points become vertices.
+/// in one hyperplane) give the empty set. Each plane of the hull carries one face, whatever number of points lie on it,
+/// and only extreme points become vertices.
 /// Throws: NumberError for a coordinate that is infinite or NaN.
-/// Cost: O(n log n) for D <= 2; for D = 3 n times the number of triangles, so meant for hundreds of points.
+/// Cost: O(n log n) for D <= 2; for D = 3 n times the number of triangles, so meant for hundreds of points; for D >= 4
+/// a cut of the polar (see `shape/polar_hull.hpp`) for each point.
 template <int D, class N = Rational>
-requires(1 <= D && D <= 3)
-    [[nodiscard]] Region<D, N> convex_hull(std::span<const std::array<N, std::size_t(D)>> points) {
+[[nodiscard]] Region<D, N> convex_hull(std::span<const std::array<N, std::size_t(D)>> points) {
     std::vector<RationalPoint<D>> p;
     p.reserve(points.size());
     for (const auto& x : points) p.push_back(to_rational_point(x));
@@ -181,15 +182,16 @@ requires(1 <= D && D <= 3)
     } else if constexpr (D == 2) {
         const std::vector<RationalPoint<2>> hull = convex_polygon(std::move(p));
         return hull.size() < 3 ? Region<2, N>::empty() : Region<2, N>(polygon<Rational>(hull));
-    } else {
+    } else if constexpr (D == 3) {
         return to_region<N>(detail::hull_mesh(p));
+    } else {
+        return Region<D, N>(detail::PolarHull<D>(p).build());
     }
 }
 
 /// The same for a list: `convex_hull<2>({{0, 0}, {4, 0}, {2, 1}, {0, 3}})`.
 template <int D, class N = Rational>
-requires(1 <= D && D <= 3)
-    [[nodiscard]] Region<D, N> convex_hull(const std::vector<std::array<N, std::size_t(D)>>& points) {
+[[nodiscard]] Region<D, N> convex_hull(const std::vector<std::array<N, std::size_t(D)>>& points) {
     return convex_hull<D, N>(std::span<const std::array<N, std::size_t(D)>>(points));
 }
 
