@@ -87,6 +87,16 @@ MUTANTS = {
     "transform: a reflected half-line keeps its infinity": (
         "region/transform.hpp", "if (D == 1 && mirrored && list.faces.size() % 2 != 0) far = !far;", "",
         "property/transforms.cpp"),
+    "label forest: what was known of a joined set is lost": (
+        "setop/label_forest.hpp", "known_[root] |= known_[child];", "", "unit/setop/label_forest.cpp"),
+    "face crossing: an end counts where its own face covers it": (
+        "setop/face_crossing.hpp", "if (f_first ? j % 2 != 0 : i % 2 != 0)", "if (f_first ? i % 2 != 0 : j % 2 != 0)",
+        "unit/setop/face_crossing.cpp"),
+    "localised: a crossing leaves the label as it was": (
+        "setop/localised_evaluation.hpp", "label ^= Bits(1) << x.other;", "", "property/engines.cpp"),
+    "localised: pieces are on the wrong sides of a cut": (
+        "setop/localised_evaluation.hpp", "edges_.push_back({c.from, c.to, c.plane, inside});",
+        "edges_.push_back({c.from, c.to, c.plane, outside});", "property/engines.cpp"),
     "hull: its facets are left in the polar's coordinates": (
         "shape/polar_hull.hpp", "c[std::size_t(D)] -= c[axis] * centre_[axis];", "", "unit/query/representation.cpp"),
 }

@@ -3,11 +3,15 @@
 
 #include <CLI/CLI.hpp>
 #include <cleave/io/mesh_file.hpp>
+#include <cleave/setop/expression_text.hpp>
 #include <cleave/version.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
+#include <set>
 #include <string>
+#include <string_view>
 
 namespace {
 
@@ -25,6 +29,7 @@ constexpr const char* examples = R"(Examples:
   cleave difference block.off drill1.off drill2.off -o drilled.stl
   cleave xor before.obj after.obj -o changes.off --json
   cleave intersection a.off b.off -o exact.off --rational
+  cleave eval 'block - (drill | slot)' block=a.off drill=b.off slot=c.off -o part.off
   cleave info model.stl
   cleave check model.off --strict
 
@@ -76,26 +81,50 @@ void add_common(CLI::App& command, Options& options) {
     command.add_flag("--quiet", options.quiet, "Print nothing but errors, and the line of --json");
 }
 
+/// Options of subcommands that operate and write a mesh.
+void add_operating(CLI::App& command, Options& options, const std::string& example) {
+    command.add_option("-o,--output", options.output, "File to write: OFF, OBJ or STL; replaced if it exists")
+        ->option_text("OUT");
+    command
+        .add_option("--engine", options.engine_name,
+                    "How to work it out: automatic (default), localised, boundary-filter or tree-merge")
+        ->check(CLI::IsMember({"automatic", "localised", "boundary-filter", "tree-merge"}))
+        ->option_text("NAME");
+    add_common(command, options);
+    command.footer(example +
+                   "\n\nWith --rational, OUT (OFF or OBJ) holds fractions p/q: the result exactly. Without, it holds\n"
+                   "the nearest doubles, in triangles.");
+}
+
+void choose_engine(Options& options) {
+    if (options.engine_name == "localised") options.engine = Engine::localised;
+    if (options.engine_name == "boundary-filter") options.engine = Engine::boundary_filter;
+    if (options.engine_name == "tree-merge") options.engine = Engine::tree_merge;
+}
+
 void add_boolean(CLI::App& app, Options& options, const BooleanCommand& boolean) {
     CLI::App* command = app.add_subcommand(boolean.name, boolean.description);
     if (boolean.alias != nullptr) command->alias(boolean.alias);
     command->add_option("FILES", options.inputs)->expected(1, 1 << 20)->option_text("A B [C...]");
-    command->add_option("-o,--output", options.output, "File to write: OFF, OBJ or STL; replaced if it exists")
-        ->option_text("OUT");
-    command
-        ->add_option("--engine", options.engine_name,
-                     "How to work it out: automatic (default), boundary-filter or tree-merge")
-        ->check(CLI::IsMember({"automatic", "boundary-filter", "tree-merge"}))
-        ->option_text("NAME");
-    add_common(*command, options);
-    command->footer(std::string(boolean.example) +
-                    "\n\nWith --rational, OUT (OFF or OBJ) holds fractions p/q: the result exactly. Without, it holds\n"
-                    "the nearest doubles, in triangles.");
+    add_operating(*command, options, boolean.example);
     command->final_callback([&options, boolean] {
         options.command = Options::Command::boolean;
         options.operation = boolean.operation;
-        if (options.engine_name == "boundary-filter") options.engine = Engine::boundary_filter;
-        if (options.engine_name == "tree-merge") options.engine = Engine::tree_merge;
+        choose_engine(options);
+    });
+}
+
+void add_eval(CLI::App& app, Options& options) {
+    CLI::App* command = app.add_subcommand("eval", "The value of an expression, worked out at once");
+    command->add_option("EXPRESSION", options.expression)->option_text("EXPRESSION");
+    command->add_option("OPERANDS", options.inputs)->expected(1, 1 << 20)->option_text("NAME=FILE [NAME=FILE...]");
+    add_operating(*command, options,
+                  "Operators: a | b, a & b, a - b, a ^ b (in exactly one), ~a (all but a), and parentheses;\n"
+                  "~ binds first, then -, &, ^, |. A result without bounds has no mesh.\n\n"
+                  "Example:\n  cleave eval '(a | b) - c' a=plate.off b=rib.off c=drill.off -o part.off");
+    command->final_callback([&options] {
+        options.command = Options::Command::eval;
+        choose_engine(options);
     });
 }
 
@@ -108,16 +137,59 @@ bool is_stl(const std::string& file) {
     }
 }
 
+/// The names in an expression; a stand-in for a value of it.
+struct Names {
+    std::set<std::string> names;
+    friend Names operator|(Names a, const Names& b) {
+        a.names.insert(b.names.begin(), b.names.end());
+        return a;
+    }
+    friend Names operator&(const Names& a, const Names& b) { return a | b; }
+    friend Names operator-(const Names& a, const Names& b) { return a | b; }
+    friend Names operator^(const Names& a, const Names& b) { return a | b; }
+    friend Names operator~(const Names& a) { return a; }
+};
+
+/// Takes NAME=FILE apart, and finds out whether names and expression fit.
+void require_names(Options& options) {
+    if (options.inputs.empty())
+        throw CLI::ValidationError("eval takes an expression and NAME=FILE for each of its names");
+    for (std::string& input : options.inputs) {
+        const std::size_t at = input.find('=');
+        const std::string name = input.substr(0, at);
+        if (at == std::string::npos || at + 1 == input.size() || !cleave::is_expression_name(name))
+            throw CLI::ValidationError("'" + input + "' is not NAME=FILE");
+        if (std::find(options.names.begin(), options.names.end(), name) != options.names.end())
+            throw CLI::ValidationError("the name '" + name + "' is given twice");
+        options.names.push_back(name);
+        input.erase(0, at + 1);
+    }
+    try {
+        const Names used = cleave::parse_expression(options.expression,
+                                                    [](std::string_view name) { return Names{{std::string(name)}}; });
+        for (const std::string& name : used.names)
+            if (std::find(options.names.begin(), options.names.end(), name) == options.names.end())
+                throw CLI::ValidationError("the expression names '" + name + "', which is no operand: add " + name +
+                                           "=FILE");
+        for (const std::string& name : options.names)
+            if (used.names.count(name) == 0)
+                throw CLI::ValidationError("the operand '" + name + "' is not in the expression");
+    } catch (const cleave::ExpressionError& error) {
+        throw CLI::ValidationError(error.what());
+    }
+}
+
 /// What CLI11 does not check, or does not say in so many words.
-void require_sense(const Options& options) {
+void require_sense(Options& options) {
+    if (options.command == Options::Command::eval) require_names(options);
     const std::size_t files = options.inputs.size();
-    if (options.command != Options::Command::boolean) {
+    if (options.command == Options::Command::info || options.command == Options::Command::check) {
         if (options.command == Options::Command::check && files != 1)
             throw CLI::ValidationError("check takes one file, found " + std::to_string(files));
         if (files == 0) throw CLI::ValidationError("which file? None was named");
         return;
     }
-    if (files < 2)
+    if (options.command == Options::Command::boolean && files < 2)
         throw CLI::ValidationError("an operation takes two operands or more, found " + std::to_string(files));
     if (options.output.empty()) throw CLI::ValidationError("the name of the output is missing: -o OUT");
     if (options.rational && is_stl(options.output))
@@ -136,6 +208,7 @@ std::variant<Options, int> parse_command_line(int argc, char** argv) {
     app.set_version_flag("--version", std::string("cleave ") + CLEAVE_VERSION_STRING);
     app.require_subcommand(1);
     for (const BooleanCommand& boolean : boolean_commands) add_boolean(app, options, boolean);
+    add_eval(app, options);
 
     CLI::App* info = app.add_subcommand("info", "Numbers of vertices and faces, and the exact volume");
     info->add_option("FILES", options.inputs)->expected(1, 1 << 20)->option_text("A [B...]");
@@ -166,12 +239,22 @@ std::variant<Options, int> parse_command_line(int argc, char** argv) {
     return options;
 }
 
-const char* operation_name(Operation operation) {
+const char* operation_name(const Options& options) {
+    if (options.command == Options::Command::eval) return "eval";
     for (const BooleanCommand& boolean : boolean_commands)
-        if (boolean.operation == operation) return boolean.name;
+        if (boolean.operation == options.operation) return boolean.name;
     return "";
 }
 
 const char* engine_name(Engine engine) {
-    return engine == Engine::tree_merge ? "tree-merge" : "boundary-filter";
+    switch (engine) {
+        case Engine::boundary_filter:
+            return "boundary-filter";
+        case Engine::tree_merge:
+            return "tree-merge";
+        case Engine::automatic:  // operands are bounded solids
+        case Engine::localised:
+            break;
+    }
+    return "localised";
 }

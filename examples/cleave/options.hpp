@@ -11,12 +11,14 @@
 #include <vector>
 
 struct Options {
-    enum class Command { boolean, info, check };
+    enum class Command { boolean, eval, info, check };
 
     Command command = Command::boolean;
     cleave::Operation operation = cleave::Operation::union_;
     std::string engine_name = "automatic";
     cleave::Engine engine = cleave::Engine::automatic;
+    std::string expression;
+    std::vector<std::string> names;  ///< of `eval`'s operands, as many as inputs
     std::vector<std::string> inputs;
     std::string output;
     bool json = false;
@@ -33,8 +35,8 @@ struct Options {
 /// which has been explained on the error stream.
 std::variant<Options, int> parse_command_line(int argc, char** argv);
 
-/// The name of the operation's subcommand.
-const char* operation_name(cleave::Operation operation);
+/// The name of the subcommand that operates.
+const char* operation_name(const Options& options);
 
 /// The name of the engine that does the work: `automatic` stands for the one it chooses.
 const char* engine_name(cleave::Engine engine);

@@ -117,7 +117,8 @@ Volume measure_volume(const cleave::Region<3>& region, std::size_t max_digits, i
 std::string boolean_json(const Options& options, const std::vector<OperandReport>& operands, const ResultReport& result,
                          const Seconds& seconds) {
     Json json;
-    json["op"] = operation_name(options.operation);
+    json["op"] = operation_name(options);
+    if (options.command == Options::Command::eval) json["expression"] = options.expression;
     json["engine"] = engine_name(options.engine);
     json["threads"] = 1;
     json["operands"] = operands_json(operands);
@@ -157,8 +158,10 @@ std::string check_json(const std::string& file, const cleave::MeshReport& report
 std::string boolean_text(const Options& options, const std::vector<OperandReport>& operands, const ResultReport& result,
                          const Seconds& seconds) {
     const std::size_t width = name_width(operands, result.file.size());
-    std::string text = std::string(operation_name(options.operation)) + " of " + std::to_string(operands.size()) +
-                       " operands, by the " + engine_name(options.engine) + " engine\n";
+    const bool is_eval = options.command == Options::Command::eval;
+    std::string text = (is_eval ? options.expression : std::string(operation_name(options))) + " of " +
+                       std::to_string(operands.size()) + " operands, by the " + engine_name(options.engine) +
+                       " engine\n";
     for (const OperandReport& operand : operands) text += row(operand, width) + '\n';
     text += row(result, width) + ", " + (result.closed ? "closed" : "NOT CLOSED") + ", " +
             counted(result.components, "component", "components") + '\n';

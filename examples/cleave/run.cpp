@@ -9,6 +9,8 @@
 #include <cleave/mesh/to_region.hpp>
 #include <cleave/query/components.hpp>
 #include <cleave/setop/engines.hpp>
+#include <cleave/setop/expression.hpp>
+#include <cleave/setop/expression_text.hpp>
 
 #include <algorithm>
 #include <array>
@@ -109,27 +111,37 @@ OperandReport report_of(Context& context, const std::string& file, const Solid& 
     return report;
 }
 
-/// Any number of operands; a function has room for 64, and all four operations can be done in parts: of a difference,
-/// the first operand stands apart from the union of the others.
-Solid operate(const Options& options, std::vector<Solid> operands, ProgressReporter& progress) {
-    constexpr std::size_t room = BooleanFunction::max_arity;
+/// The operation as an expression: of any number of operands.
+Expression<3> expression_of(const Options& options, const std::vector<Solid>& operands) {
+    if (options.command == Options::Command::eval)
+        return parse_expression(options.expression, [&](std::string_view name) {
+            const auto at = std::find(options.names.begin(), options.names.end(), name);
+            return Expression<3>(operands.at(static_cast<std::size_t>(at - options.names.begin())));
+        });
+    Expression<3> sum(operands.front());
+    for (std::size_t i = 1; i < operands.size(); ++i) {
+        switch (options.operation) {
+            case Operation::union_:
+                sum |= operands[i];
+                break;
+            case Operation::intersection:
+                sum &= operands[i];
+                break;
+            case Operation::difference:
+                sum -= operands[i];
+                break;
+            case Operation::symmetric_difference:
+                sum ^= operands[i];
+                break;
+        }
+    }
+    return sum;
+}
+
+Solid operate(const Options& options, const std::vector<Solid>& operands, ProgressReporter& progress) {
     OperationOptions settings;
     settings.progress = &progress;
-    const auto evaluate_some = [&](Operation operation, std::span<const Solid> some) {
-        return evaluate<3, Rational>(
-            options.engine, BooleanFunction::from(operation, static_cast<unsigned>(some.size())), some, settings);
-    };
-    const bool is_difference = options.operation == Operation::difference;
-    const Operation inner = is_difference ? Operation::union_ : options.operation;
-    const std::size_t kept = is_difference ? 1 : 0;
-    while (operands.size() > room) {
-        std::vector<Solid> next(operands.begin(), operands.begin() + static_cast<std::ptrdiff_t>(kept));
-        for (std::size_t i = kept; i < operands.size(); i += room)
-            next.push_back(
-                evaluate_some(inner, std::span<const Solid>(operands).subspan(i, std::min(room, operands.size() - i))));
-        operands = std::move(next);
-    }
-    return evaluate_some(options.operation, operands);
+    return evaluate(options.engine, expression_of(options, operands), settings);
 }
 
 ExportedMesh<double> export_mesh(const Solid& solid, double) {
@@ -179,7 +191,7 @@ int run_boolean(Context& context) {
         solids.push_back(prepare(context, operand));
     }
 
-    context.stage(operation_name(options.operation));
+    context.stage(operation_name(options));
     ProgressReporter progress(context.bar.callback(), context.interrupt.token());
     Solid solid;
     {
@@ -280,6 +292,7 @@ template <class T>
 int run_as(Context& context) {
     switch (context.options.command) {
         case Options::Command::boolean:
+        case Options::Command::eval:
             return run_boolean<T>(context);
         case Options::Command::info:
             return run_info<T>(context);

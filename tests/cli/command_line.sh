@@ -32,9 +32,9 @@ expect_usage_error "--engine" check a.off --engine automatic
 run --help
 expect_status 0
 expect_equal "the error stream" "$err" ""
-expect_in "the help" "$out" "union" "intersection" "difference" "symmetric-difference" "xor" "info" "check" \
+expect_in "the help" "$out" "union" "intersection" "difference" "symmetric-difference" "xor" "eval" "info" "check" \
     "Examples:" "Exit status"
-for subcommand in union intersection difference symmetric-difference xor info check; do
+for subcommand in union intersection difference symmetric-difference xor eval info check; do
     run "$subcommand" --help
     expect_status 0
     expect_in "the help" "$out" "Usage: cleave" "--json" "--rational" "--strict" "--quiet" "Example:"

@@ -26,7 +26,7 @@ expect_result() {
     digits=$(digits_40 "$5")
     [ "$5" != 0 ] || digits=0
     expect_equal "the line" "$(printf '%s' "$out" | sed 's/"seconds".*//')" \
-        '{"op":"'"$1"'","engine":"'"${7:-boundary-filter}"'","threads":1,"operands":['"$2"'],"result":{"vertices":'"$3"',"faces":'"$4"',"volume":"'"$5"'","volume_40":"'"$digits"'","volume_mod":"'"$5"'","closed":true,"components":'"$6"'},'
+        '{"op":"'"$1"'","engine":"'"${7:-localised}"'","threads":1,"operands":['"$2"'],"result":{"vertices":'"$3"',"faces":'"$4"',"volume":"'"$5"'","volume_40":"'"$digits"'","volume_mod":"'"$5"'","closed":true,"components":'"$6"'},'
     [[ "$out" =~ $seconds_pattern ]] || fail "$command_line: no times in $out"
     expect_equal "the number of lines" "$(wc -l <stdout.txt | tr -d ' ')" 1
     expect_equal "the error stream" "$err" ""
@@ -47,7 +47,9 @@ expect_result symmetric-difference "$ab" 22 48 14 2
 run xor a.off b.off -o out.off --json
 expect_result symmetric-difference "$ab" 22 48 14 2
 run xor a.off b.off --engine boundary-filter --output out.off --json
-expect_result symmetric-difference "$ab" 22 48 14 2
+expect_result symmetric-difference "$ab" 22 48 14 2 boundary-filter
+run xor a.off b.off --engine localised --output out.off --json
+expect_result symmetric-difference "$ab" 22 48 14 2 localised
 run xor a.off b.off --engine tree-merge --output out.off --json
 expect_result symmetric-difference "$ab" 22 48 14 2 tree-merge
 run union -o out.off --json a.off b.off --engine automatic

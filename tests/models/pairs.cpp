@@ -8,62 +8,18 @@
 #include <cleave/setop/operators.hpp>
 
 #include "support/catch.hpp"
+#include "support/model_pairs.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
 using namespace cleave;
+using namespace support;
 
 namespace {
-
-struct Model {
-    std::string name;
-    Mesh mesh;
-};
-
-/// All models with at most `faces` faces, smallest first.
-std::vector<Model> models_up_to(const std::filesystem::path& folder, std::size_t faces) {
-    std::vector<Model> models;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        if (entry.path().extension() != ".off" || entry.file_size() > 400 * faces + 4000) continue;
-        Mesh mesh = read_mesh(entry.path());
-        if (mesh.face_count() <= faces) models.push_back({entry.path().stem().string(), std::move(mesh)});
-    }
-    std::sort(models.begin(), models.end(), [](const Model& a, const Model& b) {
-        return std::pair(a.mesh.face_count(), a.name) < std::pair(b.mesh.face_count(), b.name);
-    });
-    return models;
-}
-
-using Extent = std::array<std::array<double, 3>, 2>;
-
-Extent extent(const Mesh& mesh) {
-    Extent e{mesh.points[0], mesh.points[0]};
-    for (const auto& p : mesh.points)
-        for (std::size_t i = 0; i < 3; ++i) {
-            e[0][i] = std::min(e[0][i], p[i]);
-            e[1][i] = std::max(e[1][i], p[i]);
-        }
-    return e;
-}
-
-/// B scaled to A's box and shifted by (1/3, 1/5, 1/7) of it, so that both boundaries contribute.
-Mesh placed(const Mesh& a, Mesh b) {
-    const Extent to = extent(a);
-    const Extent from = extent(b);
-    const std::array<double, 3> shift{1.0 / 3, 1.0 / 5, 1.0 / 7};
-    for (auto& p : b.points)
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double size = to[1][i] - to[0][i];
-            p[i] = to[0][i] + ((p[i] - from[0][i]) / (from[1][i] - from[0][i]) + shift[i]) * size;
-        }
-    return b;
-}
 
 /// Volumes that are compared: modulo two primes, and as fractions where the operands are small.
 struct Volume {
@@ -134,11 +90,9 @@ void check_pair(const Model& one, const Model& two) {
 TEST_CASE("pairs of real meshes: exact identities and closed results") {
     if (!models_dir()) CLEAVE_SKIP("CLEAVE_MODELS_DIR is not set");
     // CLEAVE_ALL_PAIRS=1: every pair; otherwise each model with the next two in size.
-    const bool all = std::getenv("CLEAVE_ALL_PAIRS") != nullptr;
-    const std::vector<Model> models = models_up_to(*models_dir(), all ? 6000 : scaled(6000));
+    const std::vector<Model> models = models_up_to(*models_dir(), all_pairs() ? 6000 : scaled(6000));
     REQUIRE(models.size() > 3);
-    for (std::size_t i = 0; i < models.size(); ++i)
-        for (std::size_t j = i + 1; j < models.size() && (all || j <= i + 2); ++j) check_pair(models[i], models[j]);
+    for_each_pair(models, check_pair);
 }
 
 TEST_CASE("real meshes: the known pairs of other libraries' tests") {

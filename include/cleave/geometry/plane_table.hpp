@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -35,7 +36,7 @@ public:
     [[nodiscard]] std::size_t size() const noexcept { return exact_.size(); }
 
     /// The canonical coefficients of the unoriented plane k.
-    [[nodiscard]] const Coefficients& exact(std::uint32_t k) const { return exact_[k]; }
+    [[nodiscard]] const Coefficients& exact(std::uint32_t k) const { return *exact_[k]; }
     /// Entries are NaN where the approximation would not obey the filter's error model (far out of double's range).
     [[nodiscard]] const Approximation& approximation(std::uint32_t k) const { return approximations_[k]; }
     /// Residues of the canonical coefficients modulo 2^61-1.
@@ -50,13 +51,13 @@ public:
     PlaneId intern(Coefficients coefficients) {
         std::uint32_t orientation = 0;
         make_primitive(coefficients, orientation);
-        return 2 * intern_canonical(std::move(coefficients), nullptr, 0) + orientation;
+        return 2 * intern_canonical(std::move(coefficients)) + orientation;
     }
 
     /// Interns plane k of another table. Cost: a hash look-up, and a copy where it is new.
     std::uint32_t intern_from(const PlaneTable& other, std::uint32_t k) {
         if (const int r = other.reach(k); r != 0) return frame(other.axis_of_frame(k), r < 0);
-        return intern_canonical(other.exact_[k], &other, k);
+        return intern_shared(other, k);
     }
 
     /// The plane x_axis = R (`upper`) or x_axis = -R of the infimaximal frame, unoriented; R is a symbol larger than
@@ -74,7 +75,7 @@ public:
         Residues r;
         r[std::size_t(axis)] = Mod61(1);
         r[D] = upper ? Mod61(0) - reach_residue() : reach_residue();
-        exact_.push_back(std::move(c));
+        exact_.push_back(std::make_shared<const Coefficients>(std::move(c)));
         approximations_.push_back(a);
         residues_.push_back(r);
         hashes_.push_back(hash(r));
@@ -108,8 +109,8 @@ public:
     [[nodiscard]] PlaneRelation relation(PlaneId h, PlaneId g) const {
         if (h == g) return PlaneRelation::same;
         if (unoriented(h) == unoriented(g)) return PlaneRelation::opposite;
-        const Coefficients& a = exact_[unoriented(h)];
-        const Coefficients& b = exact_[unoriented(g)];
+        const Coefficients& a = exact(unoriented(h));
+        const Coefficients& b = exact(unoriented(g));
         std::size_t pivot = 0;
         while (a[pivot].is_zero()) ++pivot;
         for (std::size_t i = 0; i < D; ++i)
@@ -133,7 +134,8 @@ public:
     [[nodiscard]] std::pair<std::size_t, std::size_t> bits() const {
         std::size_t normal = 0;
         std::size_t offset = 0;
-        for (const Coefficients& c : exact_) {
+        for (const auto& shared : exact_) {
+            const Coefficients& c = *shared;
             for (int i = 0; i < D; ++i) normal = std::max<std::size_t>(normal, c[std::size_t(i)].bit_length());
             offset = std::max<std::size_t>(offset, c[D].bit_length());
         }
@@ -143,7 +145,7 @@ public:
 private:
     [[nodiscard]] int axis_of_frame(std::uint32_t k) const {
         int axis = 0;
-        while (exact_[k][std::size_t(axis)].is_zero()) ++axis;
+        while (exact(k)[std::size_t(axis)].is_zero()) ++axis;
         return axis;
     }
 
@@ -182,31 +184,46 @@ private:
         return h;
     }
 
-    std::uint32_t intern_canonical(Coefficients c, const PlaneTable* other, std::uint32_t index) {
+    std::uint32_t intern_canonical(Coefficients&& c) {
         Residues residues;
-        if (other != nullptr)
-            residues = other->residues_[index];
-        else
-            for (std::size_t i = 0; i <= D; ++i) residues[i] = Mod61(c[i].modulo_61());
-        const std::uint64_t h = other != nullptr ? other->hashes_[index] : hash(residues);
+        for (std::size_t i = 0; i <= D; ++i) residues[i] = Mod61(c[i].modulo_61());
+        const std::uint64_t h = hash(residues);
+        const std::size_t at = find_slot(h, [&](std::uint32_t k) { return exact(k) == c; });
+        if (slots_[at] != no_id) return slots_[at];
+        approximations_.push_back(approximate(c));
+        axes_.push_back(find_axis(c));
+        positions_.push_back(axes_.back() < 0 ? std::nan("") : exact_position(c, axes_.back()));
+        return append(at, h, residues, std::make_shared<const Coefficients>(std::move(c)));
+    }
+
+    /// Coefficients are shared with the other table: a plane is in memory once, however many results it goes through.
+    std::uint32_t intern_shared(const PlaneTable& other, std::uint32_t index) {
+        const std::shared_ptr<const Coefficients>& c = other.exact_[index];
+        const std::uint64_t h = other.hashes_[index];
+        const std::size_t at = find_slot(h, [&](std::uint32_t k) { return exact_[k] == c || exact(k) == *c; });
+        if (slots_[at] != no_id) return slots_[at];
+        approximations_.push_back(other.approximations_[index]);
+        axes_.push_back(other.axes_[index]);
+        positions_.push_back(other.positions_[index]);
+        return append(at, h, other.residues_[index], c);
+    }
+
+    /// The slot of the plane with that hash for which `is_it` holds, or the empty slot where it belongs.
+    template <class IsIt>
+    std::size_t find_slot(std::uint64_t h, IsIt&& is_it) {
         if (2 * (exact_.size() + 1) > slots_.size()) rehash(std::max<std::size_t>(64, 4 * exact_.size()));
         const std::size_t mask = slots_.size() - 1;
         std::size_t at = std::size_t(h) & mask;
-        for (; slots_[at] != no_id; at = (at + 1) & mask)
-            if (hashes_[slots_[at]] == h && exact_[slots_[at]] == c) return slots_[at];
+        while (slots_[at] != no_id && !(hashes_[slots_[at]] == h && is_it(slots_[at]))) at = (at + 1) & mask;
+        return at;
+    }
+
+    std::uint32_t append(std::size_t slot, std::uint64_t h, const Residues& residues,
+                         std::shared_ptr<const Coefficients> c) {
         const auto k = static_cast<std::uint32_t>(exact_.size());
-        slots_[at] = k;
+        slots_[slot] = k;
         hashes_.push_back(h);
         residues_.push_back(residues);
-        if (other != nullptr) {
-            approximations_.push_back(other->approximations_[index]);
-            axes_.push_back(other->axes_[index]);
-            positions_.push_back(other->positions_[index]);
-        } else {
-            approximations_.push_back(approximate(c));
-            axes_.push_back(find_axis(c));
-            positions_.push_back(axes_.back() < 0 ? std::nan("") : exact_position(c, axes_.back()));
-        }
         exact_.push_back(std::move(c));
         return k;
     }
@@ -256,7 +273,7 @@ private:
         }
     }
 
-    std::vector<Coefficients> exact_;
+    std::vector<std::shared_ptr<const Coefficients>> exact_;
     std::vector<Approximation> approximations_;
     std::vector<Residues> residues_;
     std::vector<std::uint64_t> hashes_;

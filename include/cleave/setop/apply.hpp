@@ -8,8 +8,10 @@
 #include <cleave/base/boolean_function.hpp>
 #include <cleave/region/region.hpp>
 #include <cleave/setop/filter_evaluation.hpp>
+#include <cleave/setop/localised_evaluation.hpp>
 #include <cleave/setop/options.hpp>
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -27,6 +29,10 @@ template <int D, class N>
     std::vector<const Boundary<D>*> boundaries;
     for (const Region<D, N>& r : operands) boundaries.push_back(&r.boundary());
     if (options.counts != nullptr) *options.counts = {};
+    if constexpr (D == 3) {
+        if (std::all_of(boundaries.begin(), boundaries.end(), [](const Boundary<D>* b) { return b->is_finite; }))
+            return Region<D, N>(LocalisedEvaluation<D>(boundaries, function, options).finish());
+    }
     return Region<D, N>(FilterEvaluation<D>(boundaries, function, options).finish());
 }
 

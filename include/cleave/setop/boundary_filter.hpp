@@ -67,11 +67,23 @@ public:
         for (std::size_t i = 0; i < operands_.size(); ++i) {
             for (std::size_t f = 0; f < operands_[i].facets.size(); ++f) {
                 if (progress != nullptr) progress->advance();
-                filter(i, operands_[i].facets[f]);
-                emit(i, f, sink);
+                filter_facet(i, f, sink);
             }
         }
         if (progress != nullptr) progress->finish();
+    }
+
+    /// The same for one facet.
+    template <class Sink>
+    void filter_facet(std::size_t operand, std::size_t facet, Sink&& sink) {
+        filter(operand, operands_[operand].facets[facet]);
+        emit(operand, facet, sink);
+    }
+
+    /// Whether a point on no facet of an operand belongs to it.
+    template <class Point>
+    [[nodiscard]] bool contains(std::size_t operand, const Point& p) requires LocatingClip<M> {
+        return trees_[operand].contains(p);
     }
 
     /// Sums over all trees.

@@ -85,7 +85,11 @@ private:
     PlaneId separating_plane() {
         const Bounds<D>& a = operands_[0]->bounds;
         const Bounds<D>& b = operands_[1]->bounds;
-        if (operands_[0]->faces.faces.empty() || operands_[1]->faces.faces.empty()) return no_id;
+        for (const Boundary<D>* o : operands_) {
+            if (o->faces.faces.empty()) return no_id;
+            // A half-line's end is finite, but far from it the set is not the same on both sides.
+            if (D == 1 && o->faces.faces.size() % 2 != 0) return no_id;
+        }
         for (std::size_t i = 0; i < std::size_t(D); ++i)
             for (const bool a_first : {true, false}) {
                 const double lo = a_first ? a.hi[i] : b.hi[i];

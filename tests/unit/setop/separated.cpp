@@ -85,6 +85,16 @@ TEST_CASE("separated operands: a gap of one bit, and none at all") {
 }
 
 TEST_CASE("separated operands: unbounded ones are never taken for separated") {
+    // A half-line's boundary is one finite point, apart from that of a segment inside or outside it.
+    const Region<1> ray = half_space(make_plane<Integer>(1, 0));
+    for (const Region<1>& segment : {box<1>({-3}, {-2}), box<1>({2}, {3})})
+        for (const Operation operation : all_operations) {
+            CHECK(canonical(apply(Engine::tree_merge, operation, ray, segment)) ==
+                  canonical(apply(operation, ray, segment)));
+            CHECK(canonical(apply(Engine::tree_merge, operation, segment, ~ray)) ==
+                  canonical(apply(operation, segment, ~ray)));
+        }
+    CHECK(canonical(ray | box<1>({-3}, {-2})) == canonical(ray));
     const Region<2> left = half_space(make_plane<Integer>(1, 0, 0));
     const Region<2> right = half_space(make_plane<Integer>(-1, 0, 5));
     CHECK(canonical(apply(Engine::tree_merge, Operation::union_, left, right)) == canonical(left | right));

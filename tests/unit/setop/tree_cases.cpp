@@ -2,9 +2,6 @@
 // Known trees and sets: operations on half-planes and boxes with the numbers of nodes that remain, structural cuts,
 // partitions, and solids with known sizes and centroids, each by its number in the list that they come from.
 #include <cleave/bsp/classify.hpp>
-#include <cleave/bsp/collapse.hpp>
-#include <cleave/bsp/merge.hpp>
-#include <cleave/bsp/trim.hpp>
 #include <cleave/query/centroid.hpp>
 #include <cleave/query/measure.hpp>
 #include <cleave/region/canonical.hpp>
@@ -17,43 +14,19 @@
 #include <cleave/shape/sphere.hpp>
 
 #include "support/catch.hpp"
+#include "support/exact_region.hpp"
+#include "support/tree_set.hpp"
 
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace cleave;
+using namespace support;
 
 namespace {
-
-/// A set as a tree over a kernel, asked about points.
-template <int D>
-class TreeSet {
-public:
-    explicit TreeSet(const Region<D>& region) : model_(kernel_), tree_(tree_of_boundary(region.boundary(), kernel_)) {}
-
-    /// Merged with another set, collapsed and trimmed.
-    TreeSet(Operation operation, const Region<D>& a, const Region<D>& b) : TreeSet(a) {
-        const PlaneTree<PlaneId> other = tree_of_boundary(b.boundary(), kernel_);
-        tree_ = trim(model_, collapse(merge(model_, tree_, other, BooleanRule(operation))));
-    }
-
-    /// Nodes and leaves.
-    [[nodiscard]] std::size_t size() const { return tree_.node_count() + tree_.leaf_count(); }
-
-    [[nodiscard]] Location at(const std::array<Rational, std::size_t(D)>& x) {
-        return classify(model_, tree_, add_point<Rational, std::size_t(D)>(kernel_, x));
-    }
-    [[nodiscard]] bool inside(const std::array<Rational, std::size_t(D)>& x) { return at(x) == Location::inside; }
-    [[nodiscard]] bool outside(const std::array<Rational, std::size_t(D)>& x) { return at(x) == Location::outside; }
-    [[nodiscard]] bool on(const std::array<Rational, std::size_t(D)>& x) { return at(x) == Location::boundary; }
-
-private:
-    Kernel<D> kernel_;
-    PolytopeClip<D> model_;
-    PlaneTree<PlaneId> tree_;
-};
 
 Region<2> half_plane(int a, int b, int c) {
     return half_space(make_plane<Integer>(a, b, c));
@@ -129,6 +102,28 @@ TEST_CASE("tree cases: D31, a skewed bow tie with its complement and its copy") 
     CHECK((tie ^ ~tie).is_full());
     for (const Operation operation : {minus, odd}) CHECK(TreeSet<2>(operation, tie, tie).size() == 1);
     for (const Operation operation : {union_of, both_of, odd}) CHECK(TreeSet<2>(operation, tie, ~tie).size() == 1);
+}
+
+TEST_CASE("tree cases: D32, a cut inserted in a box and its boundary") {
+    const Region<2> whole = box<2>({2, 1}, {4, 2});
+    CHECK(ExactRegion<2>(whole).boundary_measure() == 6);
+    CHECK(ExactRegion<2>(~whole).boundary_measure() == 6);
+    // The segment from (3, 1) to (3, 2) goes all the way through the box, which is one leaf: what is on its right, its
+    // plus side, becomes outside.
+    const BspTree<2, Rational> tree = to_tree(whole);
+    TreeParts<Plane<2, Rational>> parts;
+    parts.root = tree.root();
+    parts.nodes.assign(tree.nodes().begin(), tree.nodes().end());
+    parts.leaves.assign(tree.leaves().begin(), tree.leaves().end());
+    const Branch cut = parts.add_node(make_plane<Rational>(1, 0, -3));
+    for (const ChildSide side : {ChildSide::minus, ChildSide::plus})
+        parts.hang(cut, side, parts.add_leaf(side == ChildSide::minus));
+    for (TreeNode<Plane<2, Rational>>& node : parts.nodes)
+        for (Branch* child : {&node.minus, &node.plus})
+            if (child->is_leaf() && child->index() < tree.leaf_count() && tree.label(*child)) *child = cut;
+    const Region<2> half = to_region(BspTree<2, Rational>(std::move(parts)));
+    CHECK(ExactRegion<2>(half).boundary_measure() == 4);
+    CHECK(canonical(half) == canonical(box<2>({2, 1}, {3, 2})));
 }
 
 TEST_CASE("tree cases: D33, structural cuts change no set") {
