@@ -28,20 +28,20 @@ Region<3> both(const BooleanFunction& function, const std::vector<Region<3>>& op
     return localised;
 }
 
-/// A map without any symmetry: nothing stays in the planes that it was in.
+/// A map without any symmetry: nothing stays in the planes that it was in, and no point where it was.
 AffineMap<3, Integer> tilt() {
-    return compose(rational_rotation<3, Integer>(0, 1, 5, 2), rational_rotation<3, Integer>(1, 2, 7, 3));
+    const AffineMap<3, Integer> turn =
+        compose(rational_rotation<3, Integer>(0, 1, 5, 2), rational_rotation<3, Integer>(1, 2, 7, 3));
+    return compose(translation<Integer>(Rational(1, 3), Rational(1, 5), Rational(1, 7)), turn);
 }
 
 struct Total {
     std::size_t crossed = 0;
     std::size_t filtered = 0;
-    std::size_t located = 0;
 
     void add(const OperationCounts& counts) {
         crossed += counts.faces_crossed;
         filtered += counts.faces_filtered;
-        located += counts.points_located;
     }
 };
 
@@ -75,7 +75,6 @@ TEST_CASE("localised: random solids that cross properly") {
     });
     CHECK(total.crossed > 0);
     CHECK(total.crossed > total.filtered);
-    CHECK(total.located > 0);  // shells that nothing crosses
 }
 
 TEST_CASE("localised: any function of several operands") {
