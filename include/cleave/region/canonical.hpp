@@ -47,9 +47,9 @@ public:
             Flat flat;
             flat.push(row);
             const std::string inner = write_faces(flat, faces);
-            if (!inner.empty()) out += "\n(" + text_of(row, {}) + inner + ")";
+            if (!inner.empty()) out.append("\n(").append(text_of(row, {})).append(inner).append(")");
         }
-        return out + "\n";
+        return out.append("\n");
     }
 
 private:
@@ -125,13 +125,14 @@ private:
         return -1;
     }
 
-    /// The entries of a row in the axes that are left.
+    /// The entries of a row in the axes that are left. (Appending throughout: for a literal plus a temporary string,
+    /// g++ 12 warns of copies that never happen.)
     static std::string text_of(const Row& row, const std::array<bool, D>& dropped) {
         std::string out;
         for (std::size_t i = 0; i < D; ++i)
-            if (!dropped[i]) out += (out.empty() ? "" : " ") + row[i].to_string();
-        out += "|" + row[D].to_string();
-        if (!row[D + 1].is_zero()) out += "|" + row[D + 1].to_string();
+            if (!dropped[i]) out.append(out.empty() ? "" : " ").append(row[i].to_string());
+        out.append("|").append(row[D].to_string());
+        if (!row[D + 1].is_zero()) out.append("|").append(row[D + 1].to_string());
         return out;
     }
 
@@ -140,7 +141,7 @@ private:
         if constexpr (D == 1) {
             int count = 0;
             for (const std::uint32_t f : faces) count += int(list.faces[f].loop_count);
-            return count == 0 ? "" : "*" + std::to_string(count);
+            return count == 0 ? std::string() : std::string("*").append(std::to_string(count));
         } else if constexpr (D == 2) {
             std::vector<std::pair<PointId, int>> ends;
             for_each_loop(faces, [&](std::span<const Corner> loop) {
@@ -163,7 +164,7 @@ private:
             std::string out;
             for (auto& [row, ends] : lines) {
                 const std::string inner = write_ends(flats.at(row), ends);
-                if (!inner.empty()) out += "(" + text_of(row, flat.dropped) + inner + ")";
+                if (!inner.empty()) out.append("(").append(text_of(row, flat.dropped)).append(inner).append(")");
             }
             return out;
         } else {
@@ -208,7 +209,7 @@ private:
             } else {
                 text = write_pieces(inner, std::move(faces));
             }
-            if (!text.empty()) out += "(" + text_of(row, flat.dropped) + text + ")";
+            if (!text.empty()) out.append("(").append(text_of(row, flat.dropped)).append(text).append(")");
         }
         return out;
     }
@@ -230,9 +231,9 @@ private:
             int sum = 0;
             const PointId p = ends[i].first;
             for (; i < ends.size() && kernel_.compare(axis, p, ends[i].first) == Sign::zero; ++i) sum += ends[i].second;
-            if (sum != 0)
-                out += (out.empty() ? ":" : ",") + position(axis, p) + (sum > 0 ? "+" : "-") +
-                       (sum == 1 || sum == -1 ? "" : std::to_string(sum > 0 ? sum : -sum));
+            if (sum == 0) continue;
+            out.append(out.empty() ? ":" : ",").append(position(axis, p)).append(sum > 0 ? "+" : "-");
+            if (sum != 1 && sum != -1) out.append(std::to_string(sum > 0 ? sum : -sum));
         }
         return out;
     }
@@ -246,7 +247,9 @@ private:
         }
         const Homogeneous<D>& x = kernel_.exact(p);
         const Fraction f = make_fraction(x[i], x[D]);
-        return f.den == Integer(1) ? f.num.to_string() : f.num.to_string() + "/" + f.den.to_string();
+        std::string text = f.num.to_string();
+        if (f.den != Integer(1)) text.append("/").append(f.den.to_string());
+        return text;
     }
 
     const Boundary<D>* boundary_;
