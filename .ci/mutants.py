@@ -93,10 +93,11 @@ MUTANTS = {
         "setop/face_crossing.hpp", "if (f_first ? j % 2 != 0 : i % 2 != 0)", "if (f_first ? i % 2 != 0 : j % 2 != 0)",
         "unit/setop/face_crossing.cpp"),
     "localised: a crossing leaves the label as it was": (
-        "setop/localised_evaluation.hpp", "label ^= Bits(1) << x.other;", "", "property/engines.cpp"),
+        "setop/localised_evaluation.hpp", "label ^= Bits(1) << x.other;", "",
+        "unit/setop/localised_evaluation.cpp"),
     "localised: pieces are on the wrong sides of a cut": (
         "setop/localised_evaluation.hpp", "edges_.push_back({c.from, c.to, c.plane, inside});",
-        "edges_.push_back({c.from, c.to, c.plane, outside});", "property/engines.cpp"),
+        "edges_.push_back({c.from, c.to, c.plane, outside});", "unit/setop/localised_evaluation.cpp"),
     "hull: its facets are left in the polar's coordinates": (
         "shape/polar_hull.hpp", "c[std::size_t(D)] -= c[axis] * centre_[axis];", "", "unit/query/representation.cpp"),
 }

@@ -68,8 +68,9 @@ public:
     Boundary<D> finish() {
         Bits far = 0;
         for (std::size_t i = 0; i < loads_.size(); ++i) far |= Bits(loads_[i].boundary->value_at_infinity ? 1 : 0) << i;
-        // Input points are different from each other and from all crossings, unless something special is about.
-        const bool plain = !any_special_;
+        // Input points are different from each other and from all crossings. Only filtering makes further points, where
+        // it cuts faces into convex ones, and those may lie on input points.
+        const bool plain = filter_ == nullptr;
         Boundary<D> result = freeze(kernel_, out_, function_(far),
                                     [&](PointId p) { return plain && p < input_points_ ? p : points_(p); });
         if (options_->counts != nullptr) *options_->counts = counts();
@@ -335,7 +336,6 @@ private:
     }
 
     void assemble_special(std::uint32_t i, std::uint32_t f) {
-        any_special_ = true;
         BoundaryFilter<KernelClip<D>>& by_trees = filter();
         const std::vector<std::uint32_t>& face_of = loads_[i].facet_face;
         const auto [first, last] = std::equal_range(face_of.begin(), face_of.end(), f);
@@ -500,7 +500,6 @@ private:
     FaceList out_;
     OperationCounts counts_;
     std::size_t input_points_ = 0;
-    bool any_special_ = false;
 };
 
 CLEAVE_END_NAMESPACE
