@@ -37,21 +37,21 @@ Region<D> at_least(unsigned m, const std::vector<Region<D>>& operands) {
 
 /// A random expression, as a function of bits and as a region made by binary operations.
 template <int D>
-struct Expression {
+struct FoldedExpression {
     BooleanFunction function;
     Region<D> region;
 };
 
 template <int D>
-Expression<D> random_expression(const std::vector<Region<D>>& operands, int steps) {
+FoldedExpression<D> random_expression(const std::vector<Region<D>>& operands, int steps) {
     const auto arity = unsigned(operands.size());
     const auto leaf = [&] {
         const auto i = unsigned(draw_index(arity));
-        return Expression<D>{BooleanFunction::operand(i, arity), operands[i]};
+        return FoldedExpression<D>{BooleanFunction::operand(i, arity), operands[i]};
     };
-    Expression<D> e = leaf();
+    FoldedExpression<D> e = leaf();
     for (int s = 0; s < steps; ++s) {
-        const Expression<D> other = leaf();
+        const FoldedExpression<D> other = leaf();
         switch (draw_int(0, 5)) {
             case 0:
                 e = {e.function | other.function, e.region | other.region};
@@ -111,7 +111,7 @@ TEMPLATE_TEST_CASE("expressions: any formula", "", Dimension<1>, Dimension<2>, D
     law("at once and step by step", cases<D>(30), [] {
         const std::size_t k = 3 + draw_index(3);
         const auto a = regions(draw_vector<Solid<D>>(k));
-        const Expression<D> e = random_expression(a, draw_int(1, 8));
+        const FoldedExpression<D> e = random_expression(a, draw_int(1, 8));
         RC_ASSERT(equal_sets(checked_evaluate<D, Rational>(e.function, a), e.region));
     });
     law("atoms add up to the union", cases<D>(10), [] {
