@@ -98,6 +98,25 @@ MUTANTS = {
     "localised: pieces are on the wrong sides of a cut": (
         "setop/localised_evaluation.hpp", "edges_.push_back({c.from, c.to, c.plane, inside});",
         "edges_.push_back({c.from, c.to, c.plane, outside});", "unit/setop/localised_evaluation.cpp"),
+    "surface: a face in several pieces has one label": (
+        "setop/surface_evaluation.hpp", "if (!records.points.empty() || !has_one_label(i, f)) {",
+        "if (!records.points.empty()) {", "unit/setop/surface_evaluation.cpp"),
+    "surface: what both operands have comes from both": (
+        "setop/surface_evaluation.hpp", "if (s.above != s.below && i == 1) return Action::drop;", "",
+        "unit/setop/surface_evaluation.cpp"),
+    "surface: segments that overlap are not cut": (
+        "setop/segment_noding.hpp", "find_overlaps(0);\n        find_overlaps(1);", "",
+        "unit/setop/surface_evaluation.cpp"),
+    "surface: a point where the other boundary touches itself tells by one face": (
+        "setop/surface_labels.hpp",
+        "return std::nullopt;  // where the other boundary touches itself, one face does not tell all", "continue;",
+        "unit/setop/surface_evaluation.cpp"),
+    "surface: a reflex ridge passes for a convex one": (
+        "setop/surface_labels.hpp", "return bend == Sign::minus ? both : either;", "return both;",
+        "unit/setop/surface_evaluation.cpp"),
+    "double predicates: the bound of an orientation forgets rounding": (
+        "geometry/double_predicates.hpp", "const double bound = 16 * 0x1p-53 * size", "const double bound = 0 * size",
+        "unit/geometry/double_predicates.cpp"),
     "hull: its facets are left in the polar's coordinates": (
         "shape/polar_hull.hpp", "c[std::size_t(D)] -= c[axis] * centre_[axis];", "", "unit/query/representation.cpp"),
 }

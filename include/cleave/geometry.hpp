@@ -35,9 +35,11 @@
 #include <cleave/geometry/bounds.hpp>
 #include <cleave/geometry/box.hpp>
 #include <cleave/geometry/box_hierarchy.hpp>
+#include <cleave/geometry/box_pairs.hpp>
 #include <cleave/geometry/canonical.hpp>
 #include <cleave/geometry/coordinates.hpp>
 #include <cleave/geometry/cross_point.hpp>
+#include <cleave/geometry/double_predicates.hpp>
 #include <cleave/geometry/handles.hpp>
 #include <cleave/geometry/interning.hpp>
 #include <cleave/geometry/kernel.hpp>

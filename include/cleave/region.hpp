@@ -15,6 +15,7 @@
 #include <cleave/region/polytope_faces.hpp>
 #include <cleave/region/region.hpp>
 #include <cleave/region/section.hpp>
+#include <cleave/region/surface_operands.hpp>
 #include <cleave/region/transform.hpp>
 #include <cleave/region/tree.hpp>
 

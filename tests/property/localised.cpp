@@ -10,6 +10,7 @@
 #include "support/region_generators.hpp"
 
 #include <array>
+#include <string>
 #include <vector>
 
 using namespace cleave;
@@ -17,15 +18,20 @@ using namespace support;
 
 namespace {
 
-/// The value of the function by both engines, which must agree; that of the localised one, checked.
-Region<3> both(const BooleanFunction& function, const std::vector<Region<3>>& operands, OperationCounts* counts) {
+/// The value of the function by both engines, which must agree, and by the general form of the localised one, whose
+/// counts are given; both of its results checked.
+void both(const BooleanFunction& function, const std::vector<Region<3>>& operands, OperationCounts* counts) {
+    const std::string filtered = canonical(evaluate<3, Rational>(Engine::boundary_filter, function, operands));
+    const Region<3> localised = evaluate<3, Rational>(Engine::localised, function, operands);
+    RC_ASSERT(filtered == canonical(localised));
+    verified(localised);
     OperationOptions options;
     options.counts = counts;
-    const Region<3> filtered = evaluate<3, Rational>(Engine::boundary_filter, function, operands);
-    Region<3> localised = evaluate<3, Rational>(Engine::localised, function, operands, options);
-    RC_ASSERT(canonical(filtered) == canonical(localised));
-    verified(localised);
-    return localised;
+    std::vector<const Boundary<3>*> boundaries;
+    for (const Region<3>& r : operands) boundaries.push_back(&r.boundary());
+    const Region<3> general(LocalisedEvaluation<3>(boundaries, function, options).finish());
+    RC_ASSERT(filtered == canonical(general));
+    verified(general);
 }
 
 /// A map without any symmetry: nothing stays in the planes that it was in, and no point where it was.

@@ -8,9 +8,10 @@
 #include <cleave/bsp/tree.hpp>
 #include <cleave/clip/polytope_clip.hpp>
 
+#include "support/dice.hpp"
+
 #include <array>
 #include <cstddef>
-#include <random>
 #include <vector>
 
 namespace support {
@@ -22,19 +23,6 @@ using IntegerPlane = std::array<int, std::size_t(D) + 1>;
 template <int D>
 struct HalfSpaces {
     std::vector<IntegerPlane<D>> planes;
-};
-
-/// The same stream on every machine.
-class Dice {
-public:
-    explicit Dice(unsigned seed) : random_(seed) {}
-    /// 0 .. n - 1.
-    int below(int n) { return int(random_() % unsigned(n)); }
-    /// lo .. hi.
-    int between(int lo, int hi) { return lo + below(hi - lo + 1); }
-
-private:
-    std::mt19937 random_;
 };
 
 /// A box with integer corners; empty where lo >= hi for some axis.

@@ -80,7 +80,8 @@ public:
     using Point = Coordinates<D>;
 
     template <class N>
-    explicit RegionChecker(const cleave::Region<D, N>& region) : b_(&region.boundary()), exact_(region) {}
+    explicit RegionChecker(const cleave::Region<D, N>& region)
+        : b_(&region.boundary()), surface_(&region.surface()), exact_(region) {}
 
     [[nodiscard]] const ExactRegion<D>& exact() const { return exact_; }
 
@@ -91,6 +92,27 @@ public:
         verify_points();
         for (std::size_t f = 0; f < b_->faces.faces.size(); ++f) verify_face(f);
         verify_closed();
+        if constexpr (D == 3) {
+            if (surface_->is_conforming) verify_conforming();
+        }
+    }
+
+    /// That edges match from end to end, as the stored boundary says, and that no two points are one.
+    void verify_conforming() const requires(D == 3) {
+        std::map<std::pair<cleave::PointId, cleave::PointId>, int> balance;
+        for (std::size_t l = 0; l + 1 < surface_->faces.loop_first.size(); ++l) {
+            const auto loop = surface_->faces.loop(l);
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const cleave::PointId p = loop[i].point;
+                const cleave::PointId q = loop[i + 1 == loop.size() ? 0 : i + 1].point;
+                require(p != q, "an edge without length");
+                balance[std::minmax(p, q)] += p < q ? 1 : -1;
+            }
+        }
+        for (const auto& [ends, b] : balance) require(b == 0, "an edge of a conforming boundary has no opposite");
+        std::set<Point> places;
+        for (const auto& r : surface_->points) places.insert(ExactRegion<D>::coordinates(*surface_, r));
+        require(places.size() == surface_->points.size(), "two points of a conforming boundary are one");
     }
 
     /// That every face has the set below it and not above it, and lies on no other face.
@@ -315,6 +337,7 @@ private:
     }
 
     const cleave::Boundary<D>* b_;
+    const cleave::Boundary<D>* surface_;
     ExactRegion<D> exact_;
 };
 

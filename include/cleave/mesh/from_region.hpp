@@ -6,10 +6,11 @@
 #include <cleave/base/error.hpp>
 #include <cleave/mesh/polygon_mesh.hpp>
 #include <cleave/mesh/triangulate.hpp>
-#include <cleave/number/interval.hpp>
+#include <cleave/mesh/weld.hpp>
 #include <cleave/region/build.hpp>
 #include <cleave/region/conform.hpp>
 #include <cleave/region/region.hpp>
+#include <cleave/region/surface_operands.hpp>
 
 #include <algorithm>
 #include <array>
@@ -18,6 +19,7 @@
 #include <cstdint>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -44,10 +46,10 @@ struct ExportedMesh {
     RoundingReport rounding;
 };
 
-/// Predicates in the plane of one face, on the points of a boundary loaded at `first` into a kernel.
+/// Predicates in the plane of one face, on points of a kernel.
 class FacePlane {
 public:
-    FacePlane(Kernel<3>& kernel, PointId first, PlaneId f) : kernel_(&kernel), first_(first) {
+    FacePlane(Kernel<3>& kernel, PlaneId f) : kernel_(&kernel) {
         const int drop = dominant_axis(kernel, unoriented(f));
         const Sign up = kernel.planes.exact(unoriented(f))[std::size_t(drop)].sign();
         const bool reversed = (up == Sign::minus) != is_flipped(f);
@@ -59,8 +61,8 @@ public:
     /// The lexicographic order of the projected points.
     [[nodiscard]] bool less(PointId p, PointId q) const {
         if (p == q) return false;
-        const Sign s = kernel_->compare(u_, first_ + p, first_ + q);
-        return s != Sign::zero ? s == Sign::minus : kernel_->compare(v_, first_ + p, first_ + q) == Sign::minus;
+        const Sign s = kernel_->compare(u_, p, q);
+        return s != Sign::zero ? s == Sign::minus : kernel_->compare(v_, p, q) == Sign::minus;
     }
 
     /// The turn p, q, r as seen from outside.
@@ -70,32 +72,26 @@ public:
             const std::optional<Sign> s = filtered(p, q, r);
             if (s) return *s;
             if (attempt == 0)
-                for (const PointId x : {p, q, r}) kernel_->refine(first_ + x);
+                for (const PointId x : {p, q, r}) kernel_->refine(x);
         }
         return exact(p, q, r);
     }
 
 private:
-    [[nodiscard]] Interval coordinate(PointId p, int axis) const {
-        const auto& record = kernel_->point(first_ + p);
-        const double x = record.approximation[std::size_t(axis)];
-        return record.error == 0 ? Interval(x) : Interval(x) + Interval(-record.error, record.error);
-    }
-
     [[nodiscard]] std::optional<Sign> filtered(PointId p, PointId q, PointId r) const {
-        for (const PointId x : {p, q, r})
-            if (!(kernel_->point(first_ + x).error < std::numeric_limits<double>::infinity())) return std::nullopt;
-        const Interval a = coordinate(q, u_) - coordinate(p, u_);
-        const Interval b = coordinate(r, v_) - coordinate(p, v_);
-        const Interval c = coordinate(q, v_) - coordinate(p, v_);
-        const Interval d = coordinate(r, u_) - coordinate(p, u_);
-        return (a * b - c * d).sign();
+        if constexpr (filtering::always_fails) return std::nullopt;
+        const PointRecord<3>& a = kernel_->point(p);
+        const PointRecord<3>& b = kernel_->point(q);
+        const PointRecord<3>& c = kernel_->point(r);
+        return approximate_turn(a.approximation, b.approximation, c.approximation,
+                                {static_cast<std::uint8_t>(u_), static_cast<std::uint8_t>(v_)},
+                                std::max({a.error, b.error, c.error}));
     }
 
     [[nodiscard]] Sign exact(PointId p, PointId q, PointId r) const {
-        const Homogeneous<3> a = kernel_->coordinates(first_ + p);
-        const Homogeneous<3> b = kernel_->coordinates(first_ + q);
-        const Homogeneous<3> c = kernel_->coordinates(first_ + r);
+        const Homogeneous<3> a = kernel_->coordinates(p);
+        const Homogeneous<3> b = kernel_->coordinates(q);
+        const Homogeneous<3> c = kernel_->coordinates(r);
         const auto minor = [&](const Homogeneous<3>& x, const Homogeneous<3>& y, int i, int j) {
             WideInteger m(x[std::size_t(i)] * WideInteger(y[std::size_t(j)]));
             sub_product(m, x[std::size_t(j)], y[std::size_t(i)]);
@@ -108,7 +104,6 @@ private:
     }
 
     Kernel<3>* kernel_;
-    PointId first_;
     int u_ = 0;
     int v_ = 1;
 };
@@ -118,6 +113,63 @@ struct ConformingTriangles {
     std::vector<IndexTriangle> triangles;
     std::vector<Source> sources;
 };
+
+namespace detail {
+
+/// The triangles of one short loop by cutting ears that contain no other corner, not even on their edges. Returns:
+/// whether that worked; it may not where the loop passes a point twice. Cost: cubic, but cheaper than a sweep for a few
+/// corners.
+inline bool cut_ears(const FacePlane& tests, std::span<const std::uint32_t> corners, std::vector<IndexTriangle>& out) {
+    constexpr std::size_t most = 8;
+    if (corners.size() > most) return false;
+    std::array<std::uint32_t, most> rest{};
+    std::copy(corners.begin(), corners.end(), rest.begin());
+    std::size_t n = corners.size();
+    const std::size_t before = out.size();
+    const auto is_ear = [&](std::size_t i) {
+        const std::uint32_t p = rest[(i + n - 1) % n];
+        const std::uint32_t q = rest[i];
+        const std::uint32_t r = rest[(i + 1) % n];
+        if (tests.orient(p, q, r) != Sign::plus) return false;
+        for (std::size_t k = 2; k + 1 < n; ++k) {
+            const std::uint32_t x = rest[(i + k) % n];
+            if (tests.orient(p, q, x) != Sign::minus && tests.orient(q, r, x) != Sign::minus &&
+                tests.orient(r, p, x) != Sign::minus)
+                return false;
+        }
+        return true;
+    };
+    for (; n > 3; --n) {
+        std::size_t i = 0;
+        while (i < n && !is_ear(i)) ++i;
+        if (i == n) break;
+        out.push_back({rest[(i + n - 1) % n], rest[i], rest[(i + 1) % n]});
+        std::copy(rest.begin() + std::ptrdiff_t(i) + 1, rest.begin() + std::ptrdiff_t(n),
+                  rest.begin() + std::ptrdiff_t(i));
+    }
+    if (n == 3 && tests.orient(rest[0], rest[1], rest[2]) == Sign::plus) {
+        out.push_back({rest[0], rest[1], rest[2]});
+        return true;
+    }
+    out.resize(before);
+    return false;
+}
+
+/// The triangles of one face from its loops, given as kernel points; `number` is the face's, for the message.
+inline void triangulate_face(Triangulator& triangulator, Kernel<3>& kernel, PlaneId plane,
+                             std::span<const std::uint32_t> corners, std::span<const std::uint32_t> first,
+                             std::size_t number, std::vector<IndexTriangle>& out) {
+    const FacePlane tests(kernel, plane);
+    if (first.size() == 2 && cut_ears(tests, corners, out)) return;
+    const bool done = triangulator.triangulate(
+        corners, first, [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) { return tests.orient(p, q, r); },
+        [&](std::uint32_t p, std::uint32_t q) { return tests.less(p, q); }, out);
+    if (!done)
+        throw Error("face " + std::to_string(number) +
+                    " of the region has crossing edges: an operand intersected itself; check the operands");
+}
+
+}  // namespace detail
 
 /// Triangulates the faces of a loaded boundary so that they conform. Every vertex that lies on an edge is used.
 inline ConformingTriangles triangulate_boundary(Kernel<3>& kernel, const Boundary<3>& boundary,
@@ -132,22 +184,52 @@ inline ConformingTriangles triangulate_boundary(Kernel<3>& kernel, const Boundar
         corners.clear();
         first.assign(1, 0);
         for (std::uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
-            const std::span<const PointId> loop = conformer.loop(l);
-            corners.insert(corners.end(), loop.begin(), loop.end());
+            for (const PointId p : conformer.loop(l)) corners.push_back(loaded.first_point + p);
             first.push_back(static_cast<std::uint32_t>(corners.size()));
         }
-        if (corners.size() == 3) {
+        const std::size_t begin = out.triangles.size();
+        if (corners.size() == 3)
             out.triangles.push_back({corners[0], corners[1], corners[2]});
-        } else {
-            const FacePlane plane(kernel, loaded.first_point, loaded.plane(face.plane));
-            const bool done = triangulator.triangulate(
-                corners, first,
-                [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) { return plane.orient(p, q, r); },
-                [&](std::uint32_t p, std::uint32_t q) { return plane.less(p, q); }, out.triangles);
-            if (!done)
-                throw Error("face " + std::to_string(&face - boundary.faces.faces.data()) +
-                            " of the region has crossing edges: an operand intersected itself; check the operands");
+        else
+            detail::triangulate_face(triangulator, kernel, loaded.plane(face.plane), corners, first,
+                                     std::size_t(&face - boundary.faces.faces.data()), out.triangles);
+        for (std::size_t t = begin; t < out.triangles.size(); ++t)
+            for (std::uint32_t& p : out.triangles[t]) p -= loaded.first_point;
+        out.sources.resize(out.triangles.size(), face.source);
+    }
+    return out;
+}
+
+/// The same for a boundary that conforms as it is: only faces that are not triangles go into a kernel.
+inline ConformingTriangles triangulate_conforming(SurfaceOperands& operands) {
+    const Boundary<3>& boundary = operands.boundary(0);
+    Triangulator triangulator;
+    ConformingTriangles out;
+    out.triangles.reserve(boundary.faces.faces.size());
+    out.sources.reserve(boundary.faces.faces.size());
+    std::vector<std::uint32_t> corners;
+    std::vector<std::uint32_t> first;
+    for (const FaceList::Face& face : boundary.faces.faces) {
+        if (face.loop_count == 1) {
+            const std::span<const Corner> loop = boundary.faces.loop(face.first_loop);
+            if (loop.size() == 3) {
+                out.triangles.push_back({loop[0].point, loop[1].point, loop[2].point});
+                out.sources.push_back(face.source);
+                continue;
+            }
         }
+        corners.clear();
+        first.assign(1, 0);
+        for (std::uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
+            for (const Corner& c : boundary.faces.loop(l)) corners.push_back(operands.point(0, c.point));
+            first.push_back(static_cast<std::uint32_t>(corners.size()));
+        }
+        const auto number = static_cast<std::uint32_t>(&face - boundary.faces.faces.data());
+        const std::size_t begin = out.triangles.size();
+        detail::triangulate_face(triangulator, operands.kernel(), operands.plane(0, number), corners, first, number,
+                                 out.triangles);
+        for (std::size_t t = begin; t < out.triangles.size(); ++t)
+            for (std::uint32_t& p : out.triangles[t]) p = operands.origin(p);
         out.sources.resize(out.triangles.size(), face.source);
     }
     return out;
@@ -238,29 +320,41 @@ PolygonMesh<T> assemble(std::vector<std::array<T, 3>> points, const std::vector<
 template <class N>
 [[nodiscard]] ExportedMesh<double> to_exported_mesh(const Region<3, N>& region) {
     detail::require_bounded(region);
-    const Boundary<3>& boundary = region.boundary();
-    Kernel<3> kernel;
-    const LoadedBoundary<3> loaded = load(boundary, kernel);
-    ConformingTriangles conforming = triangulate_boundary(kernel, boundary, loaded);
     ExportedMesh<double> out;
-    std::vector<std::array<double, 3>> points(boundary.points.size());
-    for (PointId p = 0; p < points.size(); ++p) {
-        kernel.refine(loaded.first_point + p);
-        points[p] = kernel.point(loaded.first_point + p).approximation;
-        for (double& x : points[p]) x += 0.0;  // one zero
-        for (const double x : points[p])
-            if (!std::isfinite(x)) throw NumberError("a coordinate of the result is beyond the range of doubles");
+    ConformingTriangles conforming;
+    std::vector<std::array<double, 3>> points;
+    const auto round = [&](std::size_t count, auto&& rounded) {
+        points.resize(count);
+        for (PointId p = 0; p < count; ++p) {
+            points[p] = rounded(p);
+            for (double& x : points[p]) {
+                x += 0.0;  // one zero
+                if (!std::isfinite(x)) throw NumberError("a coordinate of the result is beyond the range of doubles");
+            }
+        }
+    };
+    if (region.surface().is_conforming) {
+        const Boundary<3>* const boundary = &region.surface();
+        SurfaceOperands operands({&boundary, 1});
+        conforming = triangulate_conforming(operands);
+        round(boundary->points.size(), [&](PointId p) {
+            if (boundary->points[p].rounded) return boundary->points[p].approximation;
+            const PointId q = operands.point(0, p);
+            operands.kernel().refine(q);
+            return operands.kernel().point(q).approximation;
+        });
+    } else {
+        const Boundary<3>& boundary = region.boundary();
+        Kernel<3> kernel;
+        const LoadedBoundary<3> loaded = load(boundary, kernel);
+        conforming = triangulate_boundary(kernel, boundary, loaded);
+        round(boundary.points.size(), [&](PointId p) {
+            kernel.refine(loaded.first_point + p);
+            return kernel.point(loaded.first_point + p).approximation;
+        });
     }
-    std::vector<PointId> order(points.size());
-    for (PointId p = 0; p < order.size(); ++p) order[p] = p;
-    std::sort(order.begin(), order.end(),
-              [&](PointId p, PointId q) { return std::pair(points[p], p) < std::pair(points[q], q); });
-    std::vector<PointId> same(points.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const bool repeats = i > 0 && points[order[i]] == points[order[i - 1]];
-        same[order[i]] = repeats ? same[order[i - 1]] : order[i];
-        out.rounding.points_merged += repeats ? 1U : 0U;
-    }
+    const std::vector<std::uint32_t> same = first_equal_points<double>(points);
+    for (std::uint32_t p = 0; p < same.size(); ++p) out.rounding.points_merged += same[p] != p ? 1U : 0U;
     if (out.rounding.points_merged != 0) {
         for (IndexTriangle& t : conforming.triangles)
             for (std::uint32_t& p : t) p = same[p];

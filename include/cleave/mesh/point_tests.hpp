@@ -5,8 +5,7 @@
 #ifndef CLEAVE_MESH_POINT_TESTS_HPP
 #define CLEAVE_MESH_POINT_TESTS_HPP
 
-#include <cleave/number/double.hpp>
-#include <cleave/number/filter.hpp>
+#include <cleave/geometry/double_predicates.hpp>
 #include <cleave/number/rational.hpp>
 #include <cleave/number/traits.hpp>
 
@@ -21,28 +20,6 @@
 #include <vector>
 
 CLEAVE_BEGIN_NAMESPACE
-
-/// A vector scaled by some positive number that makes it an integer vector; only signs of its products have a meaning.
-using IntegerVector = std::array<WideInteger, 3>;
-
-/// p - origin, scaled. Cost: no allocation while coordinates differ by less than about 1,400 binary orders.
-[[nodiscard]] inline IntegerVector integer_difference(const std::array<double, 3>& p,
-                                                      const std::array<double, 3>& origin) {
-    std::array<DoubleParts, 6> parts;
-    int least = 0;
-    for (std::size_t i = 0; i < 6; ++i) {
-        parts[i] = decompose(i < 3 ? p[i] : origin[i - 3]);
-        if (i == 0 || parts[i].exponent < least) least = parts[i].exponent;
-    }
-    IntegerVector result;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const DoubleParts& a = parts[i];
-        const DoubleParts& b = parts[i + 3];
-        result[i] = WideInteger::scaled(a.mantissa, static_cast<std::size_t>(a.exponent - least));
-        result[i] -= WideInteger::scaled(b.mantissa, static_cast<std::size_t>(b.exponent - least));
-    }
-    return result;
-}
 
 /// The same for exact coordinates: every component over the product of the distinct denominators.
 template <class T>
@@ -61,20 +38,6 @@ template <class T>
     }
     return result;
 }
-
-/// Two coordinates that are kept of three, in the order that makes a turn seen from the plus end of the third axis
-/// positive where it is counter-clockwise.
-struct Projection {
-    std::uint8_t u = 0;
-    std::uint8_t v = 1;
-
-    /// Along axis 0, 1 or 2; reversed is the same seen from the minus end.
-    [[nodiscard]] static constexpr Projection along(unsigned axis, bool reversed = false) noexcept {
-        const auto u = static_cast<std::uint8_t>((axis + 1) % 3);
-        const auto v = static_cast<std::uint8_t>((axis + 2) % 3);
-        return reversed ? Projection{v, u} : Projection{u, v};
-    }
-};
 
 /// Exact tests on points given by index. `T` is double or an exact field. The points must outlive this object and be
 /// finite; const member functions may run in several threads.
@@ -131,9 +94,14 @@ public:
     }
 
     /// The side of l of the plane through i, j, k: plus where i, j, k are counter-clockwise seen from l; zero where the
-    /// four lie on one plane.
+    /// four lie on one plane. Exact coordinates are not filtered: corners of one face are coplanar as a rule, where no
+    /// approximation can decide.
     [[nodiscard]] Sign side(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) const {
-        return filtered_sign([&] { return approximate_side(i, j, k, l); }, [&] { return exact_side(i, j, k, l); });
+        if constexpr (is_double) {
+            return plane_side(points_[i], points_[j], points_[k], points_[l]);
+        } else {
+            return filtered_sign([] { return std::optional<Sign>(); }, [&] { return exact_side(i, j, k, l); });
+        }
     }
 
     /// An axis along which i, j, k do not look collinear, or nothing where they are collinear.
@@ -158,66 +126,10 @@ private:
         }
     }
 
-    /// Proof. With e the error of a coordinate (zero for doubles), a computed difference d' of two coordinates is
-    /// within u |d'| + 2 e of the true d, u being `unit`: rounding is the first term, the data the second. So a product
-    /// of two true differences is within (2 u + u^2) |a' b'| + (1 + u) 2 e (|a'| + |b'|) + 4 e^2 of a' b', whose
-    /// rounding adds u |a' b'| + 2^-1075. The sum of two such products is rounded once more. Every term below is at
-    /// least a quarter above its counterpart, which covers the rounding of the bound itself. NaN and infinity fail the
-    /// comparison.
     [[nodiscard]] std::optional<Sign> approximate_turn(std::uint32_t i, std::uint32_t j, std::uint32_t k,
                                                        Projection projection) const {
-        const auto &p = rounded(i), &q = rounded(j), &r = rounded(k);
-        const double qu = q[projection.u] - p[projection.u], qv = q[projection.v] - p[projection.v];
-        const double ru = r[projection.u] - p[projection.u], rv = r[projection.v] - p[projection.v];
-        const double left = qu * rv, right = qv * ru;
-        const double det = left - right;
-        double bound = 6 * unit * (std::fabs(left) + std::fabs(right)) + 0x1p-1060;
-        if constexpr (!is_double) {
-            const double e = std::max({coordinate_error(i), coordinate_error(j), coordinate_error(k)});
-            bound += 3 * e * (std::fabs(qu) + std::fabs(qv) + std::fabs(ru) + std::fabs(rv)) + 12 * e * e;
-        }
-        if (det > bound) return Sign::plus;
-        if (-det > bound) return Sign::minus;
-        return std::nullopt;
-    }
-
-    [[nodiscard]] static Sign exact_turn(const IntegerVector& a, const IntegerVector& b, Projection projection) {
-        WideInteger det;
-        add_product(det, a[projection.u], b[projection.v]);
-        sub_product(det, a[projection.v], b[projection.u]);
-        return det.sign();
-    }
-
-    /// Proof. For doubles: each of the three products a (b c - d e) of rounded differences carries three rounded
-    /// differences, two rounded products, one rounded subtraction, one more product, and two sums: at most 9 u, to
-    /// first order, of |a| (|b c| + |d e|). Products that underflow are off by 2^-1075, times a difference where they
-    /// are multiplied once more. Exact coordinates abstain: corners of one face are coplanar as a rule, where no
-    /// approximation can decide.
-    [[nodiscard]] std::optional<Sign> approximate_side(std::uint32_t i, std::uint32_t j, std::uint32_t k,
-                                                       std::uint32_t l) const {
-        if constexpr (!is_double) {
-            return std::nullopt;
-        } else {
-            const auto &p = rounded(i), &q = rounded(j), &r = rounded(k), &s = rounded(l);
-            std::array<double, 3> a, b, c;
-            for (std::size_t x = 0; x < 3; ++x) {
-                a[x] = q[x] - p[x];
-                b[x] = r[x] - p[x];
-                c[x] = s[x] - p[x];
-            }
-            double det = 0, size = 0, longest = 1;
-            for (std::size_t x = 0; x < 3; ++x) {
-                const std::size_t y = (x + 1) % 3, z = (x + 2) % 3;
-                const double left = a[y] * b[z], right = a[z] * b[y];
-                det += (left - right) * c[x];
-                size += (std::fabs(left) + std::fabs(right)) * std::fabs(c[x]);
-                longest = std::max(longest, std::fabs(c[x]));
-            }
-            const double bound = 16 * unit * size + 0x1p-1060 * longest;
-            if (det > bound) return Sign::plus;
-            if (-det > bound) return Sign::minus;
-            return std::nullopt;
-        }
+        const double error = is_double ? 0 : std::max({coordinate_error(i), coordinate_error(j), coordinate_error(k)});
+        return cleave::approximate_turn(rounded(i), rounded(j), rounded(k), projection, error);
     }
 
     [[nodiscard]] Sign exact_side(std::uint32_t i, std::uint32_t j, std::uint32_t k, std::uint32_t l) const {

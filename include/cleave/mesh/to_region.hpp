@@ -6,6 +6,7 @@
 #include <cleave/mesh/mesh_error.hpp>
 #include <cleave/mesh/polygon_mesh.hpp>
 #include <cleave/mesh/validate.hpp>
+#include <cleave/mesh/weld.hpp>
 #include <cleave/region/make.hpp>
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -57,6 +59,48 @@ public:
                 add_polygon(f);
         }
         return freeze(kernel_, builder_.finish(), false, points_);
+    }
+
+    /// The boundary of a mesh of triangles of doubles, as it is: planes are made when something asks for them.
+    /// Requires: edges match from end to end, and every triangle has an area.
+    static Boundary<3> convert_triangles(const PolygonMesh<T>& mesh) requires(std::is_same_v<T, double>) {
+        const std::vector<std::uint32_t> first_equal = first_equal_points<T>(mesh.points);
+        Boundary<3> out;
+        out.is_complete = false;
+        out.is_conforming = true;
+        std::vector<PointId> ids(mesh.points.size(), no_id);
+        out.points.reserve(mesh.points.size());
+        out.faces.faces.reserve(mesh.face_count());
+        out.faces.loop_first.reserve(mesh.face_count() + 1);
+        out.faces.corners.reserve(mesh.corners.size());
+        for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
+            std::array<Corner, 3> loop;
+            for (std::size_t c = 0; c < 3; ++c) {
+                PointId& p = ids[first_equal[mesh.corners[3 * std::size_t(f) + c]]];
+                if (p == no_id) {
+                    p = static_cast<PointId>(out.points.size());
+                    PointRecord<3>& r = out.points.emplace_back();
+                    r.approximation = mesh.points[mesh.corners[3 * std::size_t(f) + c]];
+                    for (std::size_t x = 0; x < 3; ++x) {
+                        r.approximation[x] += 0.0;  // one zero
+                        out.bounds.lo[x] = std::min(out.bounds.lo[x], r.approximation[x]);
+                        out.bounds.hi[x] = std::max(out.bounds.hi[x], r.approximation[x]);
+                    }
+                }
+                loop[c] = {p, no_id};
+            }
+            out.faces.begin_face(no_id, {0, f});
+            out.faces.add_loop(loop);
+        }
+        return out;
+    }
+
+    /// Whether `convert_triangles` may take the mesh.
+    static bool is_plain(const PolygonMesh<T>& mesh, const MeshReport& report) {
+        if (!std::is_same_v<T, double> || mesh.corners.size() != 3 * mesh.face_count()) return false;
+        for (std::size_t f = 0; f < mesh.face_count(); ++f)
+            if (mesh.first[f + 1] - mesh.first[f] != 3) return false;
+        return report.t_junctions.empty() && report.zero_area_faces.empty() && report.too_few_corners.empty();
     }
 
     Kernel<3>& kernel() { return kernel_; }
@@ -119,6 +163,18 @@ private:
     PolyhedronBuilder builder_;
     std::vector<PointId> ids_, polygon_;
 };
+
+/// Whether no face passes a point twice.
+inline bool has_simple_faces(const Boundary<3>& boundary) {
+    std::vector<PointId> points;
+    for (std::size_t l = 0; l + 1 < boundary.faces.loop_first.size(); ++l) {
+        points.clear();
+        for (const Corner& c : boundary.faces.loop(l)) points.push_back(c.point);
+        std::sort(points.begin(), points.end());
+        if (std::adjacent_find(points.begin(), points.end()) != points.end()) return false;
+    }
+    return true;
+}
 
 /// The sign of the volume that a boundary encloses, by doubles with a bound, then exactly.
 inline Sign enclosed_volume_sign(const Boundary<3>& boundary) {
@@ -191,8 +247,19 @@ template <class N = Rational, class T>
         if (!report.is_valid(options.strictness))
             throw make_mesh_error(std::move(report), mesh, options.strictness, options.origin);
     }
-    detail::MeshConverter<T> converter(mesh);
-    Boundary<3> boundary = converter.convert(report);
+    Boundary<3> boundary;
+    bool converted = false;
+    if constexpr (std::is_same_v<T, double>) {
+        if (options.validate && detail::MeshConverter<T>::is_plain(mesh, report)) {
+            boundary = detail::MeshConverter<T>::convert_triangles(mesh);
+            converted = true;
+        }
+    }
+    if (!converted) {
+        boundary = detail::MeshConverter<T>(mesh).convert(report);
+        boundary.is_conforming = options.validate && report.t_junctions.empty() && report.zero_area_faces.empty() &&
+                                 report.too_few_corners.empty() && detail::has_simple_faces(boundary);
+    }
     if (!boundary.faces.faces.empty()) {
         const std::string file =
             options.origin == nullptr || options.origin->file.empty() ? std::string() : options.origin->file + ": ";

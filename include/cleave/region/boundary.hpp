@@ -59,6 +59,12 @@ struct Boundary {
     /// bounded or has a bounded complement, whether it contains the points far away.
     bool value_at_infinity = false;
     bool is_finite = true;  ///< whether every point is finite: no face is unbounded
+    /// Whether every face and edge names its plane. D = 3 may leave that to `complete` (region/complete.hpp): a face
+    /// without a plane is a triangle of points of doubles, an edge without one an edge of some mesh between two such
+    /// points, on the planes of the faces beside it.
+    bool is_complete = true;
+    /// D = 3: whether edges match their opposites from end to end, and no two points are at one place.
+    bool is_conforming = false;
 
     /// Whether the set lies in some box.
     [[nodiscard]] bool is_bounded() const noexcept {

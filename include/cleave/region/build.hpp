@@ -41,6 +41,16 @@ template <int D>
     return best;
 }
 
+/// The plane through the edge from u to v of a face on plane f and the coordinate direction most across the face,
+/// which is on its minus side. For edges with no other plane that would do.
+inline PlaneId plane_across(Kernel<3>& kernel, PlaneId f, PointId u, PointId v) {
+    const Homogeneous<3> across = axis_direction<3>(dominant_axis(kernel, unoriented(f)));
+    const std::optional<PlaneId> plane =
+        kernel.join(std::array<Homogeneous<3>, 3>{kernel.coordinates(u), kernel.coordinates(v), across});
+    CLEAVE_ASSERT(plane.has_value());
+    return orient_edge(kernel, f, *plane, u, v);
+}
+
 /// Builds the boundary of a polyhedron from polygons over a kernel's points. Every edge plane is that of a neighbour
 /// that is not coplanar, or else the plane through the edge and the coordinate direction most across the face: never a
 /// coplanar neighbour's, which would lose the vertices on that edge.
@@ -117,12 +127,7 @@ private:
             if (k != unoriented(own)) neighbour = std::min(neighbour, k);
         }
         if (neighbour != no_id) return orient_edge(*kernel_, own, 2 * neighbour, edge.from, edge.to);
-        const Homogeneous<3> across = axis_direction<3>(dominant_axis(*kernel_, unoriented(own)));
-        const std::array<Homogeneous<3>, 3> through{kernel_->coordinates(edge.from), kernel_->coordinates(edge.to),
-                                                    across};
-        const std::optional<PlaneId> plane = kernel_->join(through);
-        CLEAVE_ASSERT(plane.has_value());
-        return orient_edge(*kernel_, own, *plane, edge.from, edge.to);
+        return plane_across(*kernel_, own, edge.from, edge.to);
     }
 
     Kernel<3>* kernel_;

@@ -4,6 +4,7 @@
 #ifndef CLEAVE_REGION_CONFORM_HPP
 #define CLEAVE_REGION_CONFORM_HPP
 
+#include <cleave/base/error.hpp>
 #include <cleave/geometry/box_hierarchy.hpp>
 #include <cleave/geometry/kernel_box.hpp>
 #include <cleave/geometry/kernel_lines.hpp>
@@ -208,6 +209,8 @@ private:
                 rest[kept++] = i;
         }
         rest.resize(kept);
+        if (line.empty())
+            throw Error("an edge is not on its face's plane: an operand intersects itself; check the operands");
     }
 
     void split_line(const std::vector<std::uint32_t>& line) {

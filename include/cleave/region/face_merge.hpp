@@ -125,6 +125,13 @@ public:
         }
     }
 
+    /// The same, with every edge as it was added: none cancels another, and vertices on straight stretches stay.
+    /// Where several edges leave one point, all edges must have planes.
+    void finish_conforming(FaceList& out, Source source) requires(D == 3) {
+        merged_ = edges_;
+        link(out, source);
+    }
+
 private:
     struct Edge {
         PointId from;
@@ -157,6 +164,11 @@ private:
     void finish_loops(FaceList& out, Source source) requires(D == 3) {
         cancel_opposite();
         group_by_line();
+        link(out, source);
+    }
+
+    /// Links the edges of `merged_` into loops.
+    void link(FaceList& out, Source source) requires(D == 3) {
         if (merged_.empty()) return;
         std::sort(merged_.begin(), merged_.end(),
                   [](const Edge& a, const Edge& b) { return std::pair(a.from, a.to) < std::pair(b.from, b.to); });

@@ -4,6 +4,7 @@
 #ifndef CLEAVE_REGION_FACETS_HPP
 #define CLEAVE_REGION_FACETS_HPP
 
+#include <cleave/base/error.hpp>
 #include <cleave/geometry/kernel_lines.hpp>
 #include <cleave/geometry/point_interner.hpp>
 #include <cleave/region/boundary.hpp>
@@ -31,6 +32,7 @@ public:
     KernelFaceCutter(Kernel<3>& kernel, PointInterner<3>& points) : kernel_(&kernel), points_(&points) {}
 
     /// Calls `emit(corners)` for each convex facet of the face on plane f. Requires: the edges are a closed set.
+    /// Throws: Error where they cross each other so that no number of cuts makes convex facets of them.
     template <class Emit>
     void cut(PlaneId f, std::vector<Edge> edges, Emit&& emit) {
         std::vector<std::vector<Edge>> work;
@@ -38,6 +40,8 @@ public:
             e.from = (*points_)(e.from);
             e.to = (*points_)(e.to);
         }
+        // n edges lie on n lines, which have at most so many cells between them.
+        std::size_t cuts_left = (edges.size() * (edges.size() + 1)) / 2 + 1;
         work.push_back(std::move(edges));
         while (!work.empty()) {
             const std::vector<Edge> part = std::move(work.back());
@@ -47,6 +51,8 @@ public:
                 chain(part, emit);
                 continue;
             }
+            if (cuts_left-- == 0)
+                throw Error("a face has crossing edges: an operand intersects itself; check the operands");
             std::vector<Edge> minus;
             std::vector<Edge> plus;
             split(f, h, part, minus, plus);

@@ -65,7 +65,9 @@ public:
         bool far = boundary_->value_at_infinity;
         // A half-line's two infinities differ, and a reflection exchanges them.
         if (D == 1 && mirrored && list.faces.size() % 2 != 0) far = !far;
-        return freeze(kernel_, out, far, [](PointId p) { return p; });
+        Boundary<D> image = freeze(kernel_, out, far, [](PointId p) { return p; });
+        image.is_conforming = boundary_->is_conforming;
+        return image;
     }
 
 private:

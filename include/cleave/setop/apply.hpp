@@ -10,6 +10,7 @@
 #include <cleave/setop/filter_evaluation.hpp>
 #include <cleave/setop/localised_evaluation.hpp>
 #include <cleave/setop/options.hpp>
+#include <cleave/setop/surface_evaluation.hpp>
 
 #include <algorithm>
 #include <array>
@@ -27,11 +28,23 @@ template <int D, class N>
                                     const OperationOptions& options = {}) {
     CLEAVE_REQUIRES(operands.size() == function.arity());
     std::vector<const Boundary<D>*> boundaries;
-    for (const Region<D, N>& r : operands) boundaries.push_back(&r.boundary());
     if (options.counts != nullptr) *options.counts = {};
     if constexpr (D == 3) {
-        if (std::all_of(boundaries.begin(), boundaries.end(), [](const Boundary<D>* b) { return b->is_finite; }))
+        for (const Region<D, N>& r : operands) boundaries.push_back(&r.surface());
+        bool sound = true;
+        if (SurfaceEvaluation::is_for(boundaries)) {
+            SurfaceEvaluation evaluation(boundaries, function, options);
+            if (evaluation.is_sound()) return Region<D, N>(evaluation.finish());
+            sound = false;
+        }
+        boundaries.clear();
+        for (const Region<D, N>& r : operands) boundaries.push_back(&r.boundary());
+        // Where an operand intersects itself, trees give some set whatever they are given.
+        if (sound &&
+            std::all_of(boundaries.begin(), boundaries.end(), [](const Boundary<D>* b) { return b->is_finite; }))
             return Region<D, N>(LocalisedEvaluation<D>(boundaries, function, options).finish());
+    } else {
+        for (const Region<D, N>& r : operands) boundaries.push_back(&r.boundary());
     }
     return Region<D, N>(FilterEvaluation<D>(boundaries, function, options).finish());
 }

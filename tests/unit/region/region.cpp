@@ -58,8 +58,8 @@ void check_complement(const Region<D>& region) {
         CHECK(b.faces.faces[f].source == a.faces.faces[f].source);
     }
     for (std::size_t l = 0; l + 1 < a.faces.loop_first.size(); ++l) {
-        const std::span<const Corner> forth = a.faces.loop(l);
-        const std::span<const Corner> back = b.faces.loop(l);
+        const std::span<const Corner> forth = region.surface().faces.loop(l);
+        const std::span<const Corner> back = other.surface().faces.loop(l);
         REQUIRE(back.size() == forth.size());
         for (std::size_t i = 0; i < forth.size(); ++i) CHECK(back[i].point == forth[forth.size() - 1 - i].point);
     }

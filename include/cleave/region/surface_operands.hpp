@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The operands of a localised evaluation: boundaries as they are stored, of which only what other operands touch is
+/// ever copied into a kernel.
+#ifndef CLEAVE_REGION_SURFACE_OPERANDS_HPP
+#define CLEAVE_REGION_SURFACE_OPERANDS_HPP
+
+#include <cleave/geometry/double_predicates.hpp>
+#include <cleave/geometry/kernel_lines.hpp>
+#include <cleave/geometry/point_interner.hpp>
+#include <cleave/region/boundary.hpp>
+#include <cleave/region/build.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+CLEAVE_BEGIN_NAMESPACE
+
+/// Boundaries whose points, planes and neighbours are looked up by operand and index, and put into one kernel when they
+/// are first asked for. Requires: all are finite and conforming; they outlive this object.
+class SurfaceOperands {
+public:
+    explicit SurfaceOperands(std::span<const Boundary<3>* const> boundaries) : points_(kernel_) {
+        operands_.resize(boundaries.size());
+        for (std::size_t i = 0; i < boundaries.size(); ++i) {
+            Operand& o = operands_[i];
+            o.boundary = boundaries[i];
+            o.first_vertex = vertex_count_;
+            o.points.assign(o.boundary->points.size(), no_id);
+            o.planes.assign(o.boundary->faces.faces.size(), no_id);
+            vertex_count_ += o.points.size();
+        }
+    }
+
+    [[nodiscard]] std::uint32_t count() const noexcept { return static_cast<std::uint32_t>(operands_.size()); }
+    [[nodiscard]] const Boundary<3>& boundary(std::uint32_t i) const { return *operands_[i].boundary; }
+    [[nodiscard]] Kernel<3>& kernel() noexcept { return kernel_; }
+    [[nodiscard]] PointInterner<3>& interner() noexcept { return points_; }
+
+    /// Points of all operands, numbered through.
+    [[nodiscard]] std::size_t vertex_count() const noexcept { return vertex_count_; }
+    [[nodiscard]] std::uint32_t vertex(std::uint32_t i, PointId p) const {
+        return static_cast<std::uint32_t>(operands_[i].first_vertex + p);
+    }
+
+    [[nodiscard]] const std::array<double, 3>& position(std::uint32_t i, PointId p) const {
+        return operands_[i].boundary->points[p].approximation;
+    }
+    [[nodiscard]] bool is_of_doubles(std::uint32_t i, PointId p) const {
+        return operands_[i].boundary->points[p].is_of_doubles();
+    }
+
+    /// The kernel's point for point p of operand i: the same for points at one place.
+    PointId point(std::uint32_t i, PointId p) {
+        PointId& known = operands_[i].points[p];
+        if (known != no_id) return known;
+        const Boundary<3>& b = boundary(i);
+        PointRecord<3> r = b.points[p];
+        const Homogeneous<3>* exact = r.exact == no_id ? nullptr : &b.exact[r.exact];
+        if (r.kind == PointRecord<3>::Kind::meet) {
+            for (std::uint32_t& k : r.planes) k = table_plane(i, k);
+        } else {
+            r.planes.fill(no_id);
+        }
+        known = points_(kernel_.add_record(r, exact));
+        if (known >= origins_.size()) origins_.resize(std::size_t(known) + 1, no_id);
+        if (origins_[known] == no_id) origins_[known] = vertex(i, p);
+        return known;
+    }
+
+    /// The first vertex, numbered through, that became this point of the kernel; `no_id` for a common point.
+    [[nodiscard]] std::uint32_t origin(PointId p) const { return p < origins_.size() ? origins_[p] : no_id; }
+
+    /// The kernel's point, or `no_id` while nothing has asked for it.
+    [[nodiscard]] PointId known_point(std::uint32_t i, PointId p) const { return operands_[i].points[p]; }
+
+    /// The plane of face f of operand i in the kernel.
+    PlaneId plane(std::uint32_t i, std::uint32_t f) {
+        PlaneId& known = operands_[i].planes[f];
+        if (known != no_id) return known;
+        const Boundary<3>& b = boundary(i);
+        const FaceList::Face& face = b.faces.faces[f];
+        if (face.plane != no_id) return known = 2 * table_plane(i, unoriented(face.plane)) + (face.plane & 1U);
+        const std::span<const Corner> c = b.faces.loop(face.first_loop);
+        const std::array<Homogeneous<3>, 3> through{Kernel<3>::from_doubles(position(i, c[0].point)),
+                                                    Kernel<3>::from_doubles(position(i, c[1].point)),
+                                                    Kernel<3>::from_doubles(position(i, c[2].point))};
+        return known = kernel_.join(through).value();
+    }
+
+    /// The side of face f's plane on which a point of some operand lies.
+    Sign side(std::uint32_t i, std::uint32_t f, std::uint32_t j, PointId p) {
+        const Boundary<3>& b = boundary(i);
+        const FaceList::Face& face = b.faces.faces[f];
+        if (face.plane == no_id && is_of_doubles(j, p)) {
+            const Corner* c = b.faces.corners.data() + b.faces.loop_first[face.first_loop];
+            return plane_side(b.points[c[0].point].approximation, b.points[c[1].point].approximation,
+                              b.points[c[2].point].approximation, position(j, p));
+        }
+        return kernel_.side(plane(i, f), point(j, p));
+    }
+
+    // --- edges -------------------------------------------------------------------------------------------------------
+
+    /// Makes neighbours known among these faces of operand i; the planes of edges between others are unknown.
+    void connect(std::uint32_t i, std::span<const std::uint32_t> faces) {
+        Operand& o = operands_[i];
+        const FaceList& list = o.boundary->faces;
+        o.uses.clear();
+        for (const std::uint32_t f : faces) {
+            const FaceList::Face& face = list.faces[f];
+            for (std::uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
+                const std::uint32_t first = list.loop_first[l];
+                const std::uint32_t last = list.loop_first[l + 1];
+                for (std::uint32_t c = first; c < last; ++c)
+                    if (list.corners[c].edge == no_id)
+                        o.uses.push_back(
+                            {ends(list.corners[c].point, list.corners[c + 1 == last ? first : c + 1].point), f});
+            }
+        }
+        std::sort(o.uses.begin(), o.uses.end());
+    }
+
+    /// A plane other than that of face f through the edge from a to b, which starts at corner c. Not oriented.
+    std::uint32_t edge_plane(std::uint32_t i, std::uint32_t f, std::uint32_t c, PointId a, PointId b) {
+        const Operand& o = operands_[i];
+        const PlaneId given = o.boundary->faces.corners[c].edge;
+        if (given != no_id) return table_plane(i, unoriented(given));
+        const std::uint32_t own = unoriented(plane(i, f));
+        const std::uint64_t key = ends(a, b);
+        std::uint32_t best = no_id;
+        for (auto u = std::lower_bound(o.uses.begin(), o.uses.end(), std::pair(key, 0U));
+             u != o.uses.end() && u->first == key; ++u) {
+            const std::uint32_t k = unoriented(plane(i, u->second));
+            if (k != own && (best == no_id || k < best)) best = k;
+        }
+        if (best != no_id) return best;
+        return unoriented(plane_across(kernel_, plane(i, f), point(i, a), point(i, b)));
+    }
+
+    /// The same with face f on its minus side. `off`: a corner of the face that is not on the edge's line, beside the
+    /// edge on the face's side; `no_id` where none is known.
+    PlaneId oriented_edge_plane(std::uint32_t i, std::uint32_t f, std::uint32_t c, PointId a, PointId b, PointId off) {
+        const PlaneId given = boundary(i).faces.corners[c].edge;
+        const std::uint32_t k = edge_plane(i, f, c, a, b);
+        if (given != no_id) return 2 * k + (given & 1U);
+        if (off == no_id) return orient_edge(kernel_, plane(i, f), 2 * k, point(i, a), point(i, b));
+        return kernel_.side(2 * k, point(i, off)) == Sign::plus ? 2 * k + 1 : 2 * k;
+    }
+
+private:
+    struct Operand {
+        const Boundary<3>* boundary = nullptr;
+        std::size_t first_vertex = 0;
+        std::vector<PointId> points;
+        std::vector<PlaneId> planes;              // of faces
+        std::vector<std::uint32_t> table_planes;  // of the boundary's table
+        std::vector<std::pair<std::uint64_t, std::uint32_t>> uses;
+    };
+
+    static std::uint64_t ends(PointId a, PointId b) {
+        return a < b ? (std::uint64_t(a) << 32U) | b : (std::uint64_t(b) << 32U) | a;
+    }
+
+    std::uint32_t table_plane(std::uint32_t i, std::uint32_t k) {
+        Operand& o = operands_[i];
+        if (o.table_planes.empty()) o.table_planes.assign(o.boundary->planes.size(), no_id);
+        std::uint32_t& known = o.table_planes[k];
+        if (known == no_id) known = kernel_.planes.intern_from(o.boundary->planes, k);
+        return known;
+    }
+
+    Kernel<3> kernel_;
+    PointInterner<3> points_;
+    std::vector<Operand> operands_;
+    std::vector<std::uint32_t> origins_;
+    std::size_t vertex_count_ = 0;
+};
+
+CLEAVE_END_NAMESPACE
+
+#endif
