@@ -21,7 +21,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "dev"
-FLAGS = ["-std=c++20", "-O1", "-w", "-DCLEAVE_WITH_GMP", "-DCLEAVE_WITH_BOOST", "-DCLEAVE_PARTS_CHOSEN"]
+FLAGS = ["-std=c++20", "-O1", "-w", "-DCLEAVE_WITH_GMP", "-DCLEAVE_WITH_BOOST", "-DCLEAVE_PARTS_CHOSEN",
+         "-DCLEAVE_INSTANTIATE", "-DCLEAVE_INSTANTIATE_CHECKERS"]
 
 # name: (header, text, replacement, test)
 MUTANTS = {

@@ -123,6 +123,12 @@ TEST_CASE("surface evaluation: operands that touch themselves where the other on
         check_operations(a, b);
         check_operations(b, a);
     }
+    SECTION("a ridge on a face, and a face of the other operand along it") {
+        const Region<3> a = box<3>({0, 0, 0}, {4, 4, 4}) | tetrahedron({{{1, 1, 4}, {3, 3, 4}, {1, 3, 6}, {3, 1, 6}}});
+        const Region<3> b = tetrahedron({{{-1, -1, 3}, {5, 5, 3}, {2, 2, 8}, {6, 0, 4}}});
+        check_operations(a, b);
+        check_operations(b, ~a);
+    }
     SECTION("a vertex of a face in the middle of one of its edges") {
         const Region<3> a =
             united({box<3>({1, 4, 0}, {3, 5, 5}), tetrahedron({{{0, 5, 5}, {5, 0, 2}, {3, 2, 0}, {2, 0, 1}}}),
