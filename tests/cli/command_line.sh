@@ -5,16 +5,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/../support/cli.sh"
 cube 0 0 0 2 >a.off
 cube 1 1 1 2 >b.off
 
-expect_usage_error() { # PART ARGUMENT...
-    local part=$1
-    shift
-    run "$@"
-    expect_status 2
-    expect_equal "the standard output" "$out" ""
-    expect_in "the message" "$err" "cleave: " "$part" "--help"
-    expect_no_file out.off
-}
-
 expect_usage_error "subcommand"
 expect_usage_error "there is no subcommand 'join'" join a.off b.off -o out.off
 expect_usage_error "two operands or more, found 0" union -o out.off

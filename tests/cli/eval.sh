@@ -42,15 +42,6 @@ expect_status 1
 expect_in "the message" "$err" "unbounded"
 expect_no_file out.off
 
-expect_usage_error() { # PART ARGUMENT...
-    local part=$1
-    shift
-    run "$@"
-    expect_status 2
-    expect_equal "the standard output" "$out" ""
-    expect_in "the message" "$err" "cleave: " "$part" "--help"
-    expect_no_file out.off
-}
 expect_usage_error "at character 4 of the expression" eval 'a -' a=a.off -o out.off
 expect_usage_error "never closed" eval '(a' a=a.off -o out.off
 expect_usage_error "the expression names 'b', which is no operand: add b=FILE" eval 'a | b' a=a.off -o out.off

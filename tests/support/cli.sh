@@ -78,3 +78,14 @@ cube() {
         print "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5"
     }'
 }
+
+# Runs the program on arguments that make no sense: it says which PART and how to get help, and writes nothing.
+expect_usage_error() { # PART ARGUMENT...
+    local part=$1
+    shift
+    run "$@"
+    expect_status 2
+    expect_equal "the standard output" "$out" ""
+    expect_in "the message" "$err" "cleave: " "$part" "--help"
+    expect_no_file out.off
+}
