@@ -89,35 +89,91 @@ MUTANTS = {
         "region/transform.hpp", "if (D == 1 && mirrored && list.faces.size() % 2 != 0) far = !far;", "",
         "property/transforms.cpp"),
     "label forest: what was known of a joined set is lost": (
-        "setop/label_forest.hpp", "known_[root] |= known_[child];", "", "unit/setop/label_forest.cpp"),
-    "face crossing: an end counts where its own face covers it": (
-        "setop/face_crossing.hpp", "if (f_first ? j % 2 != 0 : i % 2 != 0)", "if (f_first ? i % 2 != 0 : j % 2 != 0)",
-        "unit/setop/face_crossing.cpp"),
-    "localised: a crossing leaves the label as it was": (
-        "setop/localised_evaluation.hpp", "label ^= Bits(1) << x.other;", "",
-        "unit/setop/localised_evaluation.cpp"),
-    "localised: pieces are on the wrong sides of a cut": (
-        "setop/localised_evaluation.hpp", "edges_.push_back({c.from, c.to, c.plane, inside});",
-        "edges_.push_back({c.from, c.to, c.plane, outside});", "unit/setop/localised_evaluation.cpp"),
+        "setop/label_forest.hpp", "known_[root] = Bits(known_[root] | known_[child]);", "",
+        "unit/setop/label_forest.cpp"),
+    "patch labels: a link carries all bits": (
+        "setop/patch_labels.hpp", "l.which & patches_[p].known", "patches_[p].known", "unit/setop/patch_labels.cpp"),
+    "noding: segments of two operands that cross are not cut": (
+        "setop/segment_noding.hpp", "return a.operand[1 - a_slot] != b.operand[1 - b_slot] ||", "return",
+        "unit/setop/several_operands.cpp"),
+    "pieces: a ridge tells about what runs in the plane of its face": (
+        "setop/surface_cutter.hpp", "if (inside && (piece.n != no_id || !in_plane))", "if (inside)",
+        "unit/setop/several_operands.cpp"),
+    "pieces: a label spreads through the cuts of its operand": (
+        "setop/surface_cutter.hpp", "known &= ~on_[at];", "", "unit/setop/several_operands.cpp"),
+    "labels: a piece in a coplanar face is located like any other": (
+        "setop/surface_labels.hpp", "if (!cover_(r.operand, r.other, middle)) continue;", "continue;",
+        "unit/setop/several_operands.cpp"),
+    "conforming: vertices on edges stay out": (
+        "region/conforming.hpp", "conformer.for_each_edge(l, [&](PointId from, PointId, std::uint32_t corner) {",
+        "conformer.for_each_edge(l, [&](PointId from, PointId, std::uint32_t corner) {\n"
+        "                if (from != boundary.faces.corners[corner].point) return;",
+        "unit/region/conforming.cpp"),
     "surface: a face in several pieces has one label": (
-        "setop/surface_evaluation.hpp", "if (!records.points.empty() || !has_one_label(i, f)) {",
-        "if (!records.points.empty()) {", "unit/setop/surface_evaluation.cpp"),
+        "setop/surface_evaluation.hpp", "if (has_one_label(i, f, inside)) {", "if (true) {", "unit/setop/surface_evaluation.cpp"),
     "surface: what both operands have comes from both": (
-        "setop/surface_evaluation.hpp", "if (s.above != s.below && i == 1) return Action::drop;", "",
+        "setop/surface_evaluation.hpp", "if (((s.above ^ s.below) & (own - 1)) != 0) return Action::drop;", "",
         "unit/setop/surface_evaluation.cpp"),
     "surface: segments that overlap are not cut": (
-        "setop/segment_noding.hpp", "find_overlaps(0);\n        find_overlaps(1);", "",
+        "setop/segment_noding.hpp", "any = any || c.corner[1 - slot] != no_id;", "",
         "unit/setop/surface_evaluation.cpp"),
     "surface: a point where the other boundary touches itself tells by one face": (
-        "setop/surface_labels.hpp",
+        "setop/contact_sides.hpp",
         "return std::nullopt;  // where the other boundary touches itself, one face does not tell all", "continue;",
         "unit/setop/surface_evaluation.cpp"),
     "surface: a reflex ridge passes for a convex one": (
-        "setop/surface_labels.hpp", "return bend == Sign::minus ? both : either;", "return both;",
+        "setop/contact_sides.hpp", "return bend == Sign::minus ? both : either;", "return both;",
         "unit/setop/surface_evaluation.cpp"),
+    "planar: a common stretch ends where the other operand touches itself": (
+        "setop/planar_labels.hpp", "if (b.coincides != no_id) {", "if (false) {", "unit/setop/planar_evaluation.cpp"),
+    "planar: a ray has its operand on the other side": (
+        "setop/planar_labels.hpp", "found.inside = !first.along;", "found.inside = first.along;",
+        "unit/setop/planar_evaluation.cpp"),
+    "planar: not the first ray tells but the last": (
+        "setop/planar_labels.hpp", "side(a.line, b.far) == (a.along ? Sign::minus : Sign::plus)",
+        "side(a.line, b.far) == (a.along ? Sign::plus : Sign::minus)", "unit/setop/planar_evaluation.cpp"),
+    "planar: coincident pieces come from every operand": (
+        "setop/planar_evaluation.hpp", "if (((p.same | p.opposite) & (own - 1)) != 0) return Action::drop;", "",
+        "unit/setop/planar_evaluation.cpp"),
+    "planar: a ray through a vertex passes both segments there": (
+        "setop/planar_location.hpp", "kernel.compare(0, s.to, p) != Sign::plus", "kernel.compare(0, s.to, p) == Sign::minus",
+        "property/planar.cpp"),
+    "planar: an end on another segment keeps its own name": (
+        "setop/planar_contacts.hpp", "return place_[p] = points_(p);", "return points_(p);",
+        "unit/setop/planar_evaluation.cpp"),
+    "segment pairs: errors of the ends are forgotten": (
+        "geometry/segment_pairs.hpp", "4 * s.error + ", "", "unit/geometry/segment_pairs.cpp"),
     "double predicates: the bound of an orientation forgets rounding": (
         "geometry/double_predicates.hpp", "const double bound = 16 * 0x1p-53 * size", "const double bound = 0 * size",
         "unit/geometry/double_predicates.cpp"),
+    "facet meeting: triangles at a common corner run the same way": (
+        "region/facet_meeting.hpp", "return p * u == Sign::plus ? MeetingKind::shared : MeetingKind::crossing;",
+        "return MeetingKind::crossing;", "unit/mesh/self_intersections.cpp"),
+    "facet meeting: the lone corner's side does not order a triangle's ends": (
+        "region/facet_meeting.hpp", "const bool b_rises = u == Sign::plus;", "const bool b_rises = u == Sign::minus;",
+        "unit/mesh/self_intersections.cpp"),
+    "facet meeting: edges inside a face are edges like others": (
+        "region/facet_meeting.hpp", "if (own == 2 && is_inner_to_one(f, e, g)) return std::nullopt;", "",
+        "unit/mesh/self_intersections.cpp"),
+    "facet pieces: a cut leaves segments on the side where they start": (
+        "region/facet_pieces.hpp", "(a == Sign::minus ? plus : minus).push_back({x, s.to, s.plane});", "(void)x;",
+        "unit/region/facet_pieces.cpp"),
+    "facet winding: a ray starts where another facet touches": (
+        "region/facet_winding.hpp", "if (!above) continue;", "if (!above && attempt > 0) continue;",
+        "unit/region/facet_winding.cpp"),
+    "facet winding: ties are not broken along the second axis": (
+        "region/facet_winding.hpp", "const bool b_below = compare(view.v, b) != Sign::plus;",
+        "const bool b_below = compare(view.v, b) == Sign::minus;", "unit/region/facet_winding.cpp"),
+    "resolve: edges along which a third facet runs do not part surfaces": (
+        "region/resolve.hpp", "if (mate_[c] != no_id && !touched_[c] && !is_cut(mate_[c]))", "if (mate_[c] != no_id)",
+        "unit/mesh/resolve.cpp"),
+    "resolve: facets that overlap do not cut each other": (
+        "region/resolve.hpp", "cut_along_edges(b, a);", "", "unit/mesh/resolve.cpp"),
+    "resolve: pieces that coincide are all kept": (
+        "region/resolve.hpp", "|| sides.first != f) return Fate::drop;", ") return Fate::drop;",
+        "unit/mesh/resolve.cpp"),
+    "resolve: collinear segments do not count together": (
+        "region/resolve_segments.hpp", "step += segments_[g].line == line ? 1 : -1;", "", "unit/region/resolve.cpp"),
     "hull: its facets are left in the polar's coordinates": (
         "shape/polar_hull.hpp", "c[std::size_t(D)] -= c[axis] * centre_[axis];", "", "unit/query/representation.cpp"),
 }

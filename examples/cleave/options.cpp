@@ -30,8 +30,9 @@ constexpr const char* examples = R"(Examples:
   cleave xor before.obj after.obj -o changes.off --json
   cleave intersection a.off b.off -o exact.off --rational
   cleave eval 'block - (drill | slot)' block=a.off drill=b.off slot=c.off -o part.off
+  cleave resolve scan.stl -o solid.off --rule non-zero
   cleave info model.stl
-  cleave check model.off --strict
+  cleave check model.off --strict --check-crossings
 
 Files: OFF, OBJ and STL, by their extension; STL is written in its binary form.
 Exit status: 0 done, 1 bad input (nothing is written), 2 bad command line.)";
@@ -81,19 +82,33 @@ void add_common(CLI::App& command, Options& options) {
     command.add_flag("--quiet", options.quiet, "Print nothing but errors, and the line of --json");
 }
 
-/// Options of subcommands that operate and write a mesh.
-void add_operating(CLI::App& command, Options& options, const std::string& example) {
+/// Subcommands that read solids can ask whether they are.
+void add_check_crossings(CLI::App& command, Options& options) {
+    command.add_flag("--check-crossings", options.check_crossings,
+                     "Refuse meshes whose faces cross or overlap each other, and name the\n"
+                     "faces; else such a mesh gives a closed but otherwise unspecified result");
+}
+
+void add_output(CLI::App& command, Options& options) {
     command.add_option("-o,--output", options.output, "File to write: OFF, OBJ or STL; replaced if it exists")
         ->option_text("OUT");
+}
+
+constexpr const char* about_output =
+    "\n\nWith --rational, OUT (OFF or OBJ) holds fractions p/q: the result exactly. Without, it holds\n"
+    "the nearest doubles, in triangles.";
+
+/// Options of subcommands that operate and write a mesh.
+void add_operating(CLI::App& command, Options& options, const std::string& example) {
+    add_output(command, options);
     command
         .add_option("--engine", options.engine_name,
                     "How to work it out: automatic (default), localised, boundary-filter or tree-merge")
         ->check(CLI::IsMember({"automatic", "localised", "boundary-filter", "tree-merge"}))
         ->option_text("NAME");
     add_common(command, options);
-    command.footer(example +
-                   "\n\nWith --rational, OUT (OFF or OBJ) holds fractions p/q: the result exactly. Without, it holds\n"
-                   "the nearest doubles, in triangles.");
+    add_check_crossings(command, options);
+    command.footer(example + about_output);
 }
 
 void choose_engine(Options& options) {
@@ -125,6 +140,28 @@ void add_eval(CLI::App& app, Options& options) {
     command->final_callback([&options] {
         options.command = Options::Command::eval;
         choose_engine(options);
+    });
+}
+
+void add_resolve(CLI::App& app, Options& options) {
+    CLI::App* command = app.add_subcommand("resolve", "The solid that a mesh means where its faces cross each other");
+    command->add_option("FILE", options.inputs)->expected(1, 1 << 20)->option_text("A");
+    add_output(*command, options);
+    command
+        ->add_option("--rule", options.rule_name,
+                     "Which winding numbers are inside: positive (default), non-zero or\neven-odd")
+        ->check(CLI::IsMember({"positive", "non-zero", "even-odd"}))
+        ->option_text("NAME");
+    add_common(*command, options);
+    command->footer(
+        std::string(
+            "The winding number of a point is how often the mesh runs around it: 1 inside a solid, 2 where two\n"
+            "overlap, -1 inside one that is inside out. The mesh has to be closed.\n\n"
+            "Example:\n  cleave resolve scan.stl -o solid.off --rule non-zero") +
+        about_output);
+    command->final_callback([&options] {
+        options.command = Options::Command::resolve;
+        options.rule = cleave::winding_rule_from_text(options.rule_name).value();
     });
 }
 
@@ -189,6 +226,8 @@ void require_sense(Options& options) {
         if (files == 0) throw CLI::ValidationError("which file? None was named");
         return;
     }
+    if (options.command == Options::Command::resolve && files != 1)
+        throw CLI::ValidationError("resolve takes one file, found " + std::to_string(files));
     if (options.command == Options::Command::boolean && files < 2)
         throw CLI::ValidationError("an operation takes two operands or more, found " + std::to_string(files));
     if (options.output.empty()) throw CLI::ValidationError("the name of the output is missing: -o OUT");
@@ -209,19 +248,23 @@ std::variant<Options, int> parse_command_line(int argc, char** argv) {
     app.require_subcommand(1);
     for (const BooleanCommand& boolean : boolean_commands) add_boolean(app, options, boolean);
     add_eval(app, options);
+    add_resolve(app, options);
 
     CLI::App* info = app.add_subcommand("info", "Numbers of vertices and faces, and the exact volume");
     info->add_option("FILES", options.inputs)->expected(1, 1 << 20)->option_text("A [B...]");
     add_common(*info, options);
+    add_check_crossings(*info, options);
     info->footer("Example:\n  cleave info model.stl --json");
     info->final_callback([&options] { options.command = Options::Command::info; });
 
     CLI::App* check = app.add_subcommand("check", "Whether a mesh bounds a solid; if not, why and where");
     check->add_option("FILE", options.inputs)->expected(1, 1 << 20)->option_text("A");
     add_common(*check, options);
+    add_check_crossings(*check, options);
     check->footer(
-        "Example:\n  cleave check model.off --strict\n\n"
-        "Exit status 0: every operation accepts the mesh. Whether faces cross each other is not asked.");
+        "Example:\n  cleave check model.off --strict --check-crossings\n\n"
+        "Exit status 0: every operation accepts the mesh. Whether faces cross each other is asked by\n"
+        "--check-crossings alone.");
     check->final_callback([&options] { options.command = Options::Command::check; });
 
     try {
@@ -241,6 +284,7 @@ std::variant<Options, int> parse_command_line(int argc, char** argv) {
 
 const char* operation_name(const Options& options) {
     if (options.command == Options::Command::eval) return "eval";
+    if (options.command == Options::Command::resolve) return "resolve";
     for (const BooleanCommand& boolean : boolean_commands)
         if (boolean.operation == options.operation) return boolean.name;
     return "";

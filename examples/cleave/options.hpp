@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cleave/base/operation.hpp>
+#include <cleave/base/winding_rule.hpp>
 #include <cleave/mesh/mesh_report.hpp>
 #include <cleave/setop/engines.hpp>
 
@@ -11,12 +12,14 @@
 #include <vector>
 
 struct Options {
-    enum class Command { boolean, eval, info, check };
+    enum class Command { boolean, eval, resolve, info, check };
 
     Command command = Command::boolean;
     cleave::Operation operation = cleave::Operation::union_;
     std::string engine_name = "automatic";
     cleave::Engine engine = cleave::Engine::automatic;
+    std::string rule_name = "positive";
+    cleave::WindingRule rule = cleave::WindingRule::positive;
     std::string expression;
     std::vector<std::string> names;  ///< of `eval`'s operands, as many as inputs
     std::vector<std::string> inputs;
@@ -24,6 +27,7 @@ struct Options {
     bool json = false;
     bool rational = false;
     bool strict = false;
+    bool check_crossings = false;
     bool quiet = false;
 
     [[nodiscard]] cleave::Strictness strictness() const {

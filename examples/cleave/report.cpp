@@ -36,7 +36,7 @@ Json operands_json(const std::vector<OperandReport>& operands) {
         json["file"] = operand.file;
         json["vertices"] = operand.vertices;
         json["faces"] = operand.faces;
-        set_volume(json, operand.volume);
+        if (!operand.volume.decimal.empty()) set_volume(json, operand.volume);
         list.push_back(std::move(json));
     }
     return list;
@@ -87,7 +87,8 @@ std::string row(const Report& report, std::size_t width) {
     std::string name = report.file;
     name.resize(std::max(width, name.size()), ' ');
     return "  " + name + "  " + counted(report.vertices, "vertex", "vertices") + ", " +
-           counted(report.faces, "face", "faces") + ", volume " + volume_text(report.volume);
+           counted(report.faces, "face", "faces") +
+           (report.volume.decimal.empty() ? std::string() : ", volume " + volume_text(report.volume));
 }
 
 std::size_t name_width(const std::vector<OperandReport>& operands, std::size_t least = 0) {
@@ -119,7 +120,10 @@ std::string boolean_json(const Options& options, const std::vector<OperandReport
     Json json;
     json["op"] = operation_name(options);
     if (options.command == Options::Command::eval) json["expression"] = options.expression;
-    json["engine"] = engine_name(options.engine);
+    if (options.command == Options::Command::resolve)
+        json["rule"] = options.rule_name;
+    else
+        json["engine"] = engine_name(options.engine);
     json["threads"] = 1;
     json["operands"] = operands_json(operands);
     Json& r = json["result"];
@@ -141,8 +145,8 @@ std::string info_json(const std::vector<OperandReport>& operands) {
     return one_line(operands_json(operands));
 }
 
-std::string check_json(const std::string& file, const cleave::MeshReport& report, bool valid,
-                       const std::string& message) {
+std::string check_json(const std::string& file, const cleave::MeshReport& report, std::optional<std::size_t> crossings,
+                       bool valid, const std::string& message) {
     Json json;
     json["file"] = file;
     json["vertices"] = report.point_count;
@@ -151,6 +155,7 @@ std::string check_json(const std::string& file, const cleave::MeshReport& report
     json["closed"] = report.is_closed();
     Json& defects = json["defects"];
     for (const MeshDefect kind : cleave::all_mesh_defects) defects[defect_key(kind)] = report.count(kind);
+    if (crossings) json["crossings"] = *crossings;
     json["message"] = message.empty() ? Json(nullptr) : Json(message);
     return one_line(json);
 }
@@ -162,6 +167,7 @@ std::string boolean_text(const Options& options, const std::vector<OperandReport
     std::string text = (is_eval ? options.expression : std::string(operation_name(options))) + " of " +
                        std::to_string(operands.size()) + " operands, by the " + engine_name(options.engine) +
                        " engine\n";
+    if (options.command == Options::Command::resolve) text = "resolve by the " + options.rule_name + " rule\n";
     for (const OperandReport& operand : operands) text += row(operand, width) + '\n';
     text += row(result, width) + ", " + (result.closed ? "closed" : "NOT CLOSED") + ", " +
             counted(result.components, "component", "components") + '\n';
@@ -191,6 +197,8 @@ std::string tolerated_text(const std::string& file, const cleave::MeshReport& re
         "faces that repeat a corner were read without the repetition");
     add(MeshDefect::not_planar, "face that is not flat was split into triangles",
         "faces that are not flat were split into triangles");
+    add(MeshDefect::crossing_outline, "flat face whose outline crosses itself was split into triangles",
+        "flat faces whose outlines cross themselves were split into triangles");
     return text;
 }
 

@@ -35,7 +35,7 @@ struct OperandReport {
     std::string file;
     std::size_t vertices = 0;
     std::size_t faces = 0;
-    Volume volume;
+    Volume volume;  ///< without digits where it is not known
 };
 
 struct ResultReport {
@@ -55,11 +55,13 @@ struct Seconds {
     double write = 0;    ///< arrays to the file
 };
 
+/// The report of a subcommand that wrote a mesh.
 std::string boolean_json(const Options& options, const std::vector<OperandReport>& operands, const ResultReport& result,
                          const Seconds& seconds);
 std::string info_json(const std::vector<OperandReport>& operands);
-std::string check_json(const std::string& file, const cleave::MeshReport& report, bool valid,
-                       const std::string& message);
+/// `crossings`: how many pairs of faces cross or overlap, if that was asked.
+std::string check_json(const std::string& file, const cleave::MeshReport& report, std::optional<std::size_t> crossings,
+                       bool valid, const std::string& message);
 
 std::string boolean_text(const Options& options, const std::vector<OperandReport>& operands, const ResultReport& result,
                          const Seconds& seconds);

@@ -6,6 +6,7 @@
 #include <cleave/base/error.hpp>
 #include <cleave/io/mesh_file.hpp>
 #include <cleave/mesh/from_region.hpp>
+#include <cleave/mesh/resolve.hpp>
 #include <cleave/mesh/to_region.hpp>
 #include <cleave/query/components.hpp>
 #include <cleave/setop/engines.hpp>
@@ -18,6 +19,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <span>
 #include <string>
 #include <system_error>
@@ -90,8 +92,15 @@ Solid prepare(Context& context, Operand<T>& operand) {
     Solid solid;
     {
         const Stopwatch watch(context.seconds.prepare);
+        ProgressReporter progress(context.bar.callback(), context.interrupt.token());
+        ToRegionOptions settings;
+        settings.strictness = context.options.strictness();
+        settings.origin = &operand.origin;
+        settings.report = &report;
+        settings.check_self_intersections = context.options.check_crossings;
+        settings.progress = &progress;
         try {
-            solid = to_region(operand.mesh, {context.options.strictness(), &operand.origin, &report});
+            solid = to_region(operand.mesh, settings);
         } catch (const NumberError& error) {
             throw FileError(operand.file, 0, error.what());
         }
@@ -176,28 +185,12 @@ void require_writable(const std::string& file) {
     const OutputFile probe(file);
 }
 
-template <class T>
-int run_boolean(Context& context) {
+/// Writes a result and tells what became of it. Whatever is measured is measured before: an interrupted run leaves
+/// nothing behind.
+template <class T, class MeasureOperands>
+int deliver(Context& context, const Solid& solid, std::vector<OperandReport>& reports,
+            MeasureOperands&& measure_operands) {
     const Options& options = context.options;
-    require_writable(options.output);
-    std::vector<Operand<T>> operands;
-    for (const std::string& file : options.inputs) operands.push_back(read_operand<T>(context, file));
-    std::vector<OperandReport> reports;
-    std::vector<Solid> solids;
-    for (Operand<T>& operand : operands) {
-        OperandReport& report = reports.emplace_back();
-        report.vertices = operand.mesh.point_count();
-        report.faces = operand.mesh.face_count();
-        solids.push_back(prepare(context, operand));
-    }
-
-    context.stage(operation_name(options));
-    ProgressReporter progress(context.bar.callback(), context.interrupt.token());
-    Solid solid;
-    {
-        const Stopwatch watch(context.seconds.operate);
-        solid = operate(options, solids, progress);
-    }
     context.stage("exporting " + options.output);
     ExportedMesh<T> exported;
     {
@@ -209,13 +202,7 @@ int run_boolean(Context& context) {
     ResultReport result;
     const bool wants_report = options.json || !options.quiet;
     if (wants_report) {
-        // Before the file is written: an interrupted run leaves nothing behind.
-        for (std::size_t i = 0; i < solids.size(); ++i) {
-            OperandReport report = report_of(context, options.inputs[i], solids[i]);
-            report.vertices = reports[i].vertices;
-            report.faces = reports[i].faces;
-            reports[i] = std::move(report);
-        }
+        measure_operands();
         result.volume = report_of(context, options.output, solid).volume;
         context.stage("connecting " + options.output);
         const Connectivity connected = connectivity(solid);
@@ -240,6 +227,64 @@ int run_boolean(Context& context) {
     else if (!options.quiet)
         std::cout << boolean_text(options, reports, result, context.seconds);
     return 0;
+}
+
+template <class T>
+int run_boolean(Context& context) {
+    const Options& options = context.options;
+    require_writable(options.output);
+    std::vector<Operand<T>> operands;
+    for (const std::string& file : options.inputs) operands.push_back(read_operand<T>(context, file));
+    std::vector<OperandReport> reports;
+    std::vector<Solid> solids;
+    for (Operand<T>& operand : operands) {
+        OperandReport& report = reports.emplace_back();
+        report.vertices = operand.mesh.point_count();
+        report.faces = operand.mesh.face_count();
+        solids.push_back(prepare(context, operand));
+    }
+
+    context.stage(operation_name(options));
+    ProgressReporter progress(context.bar.callback(), context.interrupt.token());
+    Solid solid;
+    {
+        const Stopwatch watch(context.seconds.operate);
+        solid = operate(options, solids, progress);
+    }
+    return deliver<T>(context, solid, reports, [&] {
+        for (std::size_t i = 0; i < solids.size(); ++i) {
+            OperandReport report = report_of(context, options.inputs[i], solids[i]);
+            report.vertices = reports[i].vertices;
+            report.faces = reports[i].faces;
+            reports[i] = std::move(report);
+        }
+    });
+}
+
+template <class T>
+int run_resolve(Context& context) {
+    const Options& options = context.options;
+    require_writable(options.output);
+    Operand<T> operand = read_operand<T>(context, options.inputs.front());
+    std::vector<OperandReport> reports(1);
+    reports[0].file = operand.file;
+    reports[0].vertices = operand.mesh.point_count();
+    reports[0].faces = operand.mesh.face_count();
+    context.stage("resolving " + operand.file);
+    ProgressReporter progress(context.bar.callback(), context.interrupt.token());
+    MeshReport report;
+    Solid solid;
+    {
+        const Stopwatch watch(context.seconds.operate);
+        try {
+            solid = resolve(operand.mesh, options.rule, {options.strictness(), &operand.origin, &report, &progress});
+        } catch (const NumberError& error) {
+            throw FileError(operand.file, 0, error.what());
+        }
+    }
+    context.notes += tolerated_text(operand.file, report);
+    operand = {};
+    return deliver<T>(context, solid, reports, [] {});
 }
 
 template <class T>
@@ -269,20 +314,33 @@ int run_check(Context& context) {
     context.stage("checking " + file);
     MeshReport report = validate(operand.mesh);
     const std::string oddities = explain(report, operand.mesh, &operand.origin);
+    ProgressReporter progress(context.bar.callback(), context.interrupt.token());
+    ToRegionOptions settings;
+    settings.strictness = options.strictness();
+    settings.origin = &operand.origin;
+    settings.check_self_intersections = options.check_crossings;
+    settings.progress = &progress;
+    std::optional<std::size_t> crossings;
     std::string message;
     try {
-        static_cast<void>(to_region(operand.mesh, {options.strictness(), &operand.origin}));
+        static_cast<void>(to_region(operand.mesh, settings));
+        if (options.check_crossings) crossings = 0;
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const SelfIntersectionError& error) {
+        message = error.what();
+        crossings = error.contacts().size();
     } catch (const Error& error) {
         message = error.what();
     }
     const bool valid = message.empty();
     context.print_notes();
-    if (options.json) std::cout << check_json(file, report, valid, message) << '\n';
+    if (options.json) std::cout << check_json(file, report, crossings, valid, message) << '\n';
     if (!valid) {
         std::cerr << "cleave: " << message << '\n';
     } else if (!options.json && !options.quiet) {
         std::cout << file << ": " << report.point_count << " vertices, " << report.face_count
-                  << " faces, bounds a solid\n";
+                  << " faces, bounds a solid" << (options.check_crossings ? ", no faces cross" : "") << '\n';
         if (!oddities.empty()) std::cout << oddities << '\n';
     }
     return valid ? 0 : 1;
@@ -294,6 +352,8 @@ int run_as(Context& context) {
         case Options::Command::boolean:
         case Options::Command::eval:
             return run_boolean<T>(context);
+        case Options::Command::resolve:
+            return run_resolve<T>(context);
         case Options::Command::info:
             return run_info<T>(context);
         case Options::Command::check:

@@ -58,18 +58,21 @@
     CLEAVE_EXTERN template Region<D> convex_hull<D, Rational>(std::span<const std::array<Rational, D>>);
 
 // What is there for meshes of each coordinate type.
-#define CLEAVE_EXTERN_MESHES(T)                                                                               \
-    CLEAVE_EXTERN template MeshReport validate<T>(const PolygonMesh<T>&);                                     \
-    CLEAVE_EXTERN template MeshReport require_valid<T>(const PolygonMesh<T>&, Strictness, const MeshOrigin*); \
-    CLEAVE_EXTERN template PolygonMesh<T> weld<T>(const PolygonMesh<T>&);                                     \
-    CLEAVE_EXTERN template Region<3> to_region<Rational, T>(const PolygonMesh<T>&, const ToRegionOptions&);   \
-    CLEAVE_EXTERN template PolygonMesh<T> read_off<T>(std::string_view, const std::string&, MeshOrigin*);     \
-    CLEAVE_EXTERN template PolygonMesh<T> read_obj<T>(std::string_view, const std::string&, MeshOrigin*);     \
-    CLEAVE_EXTERN template PolygonMesh<T> read_stl<T>(std::string_view, const std::string&, MeshOrigin*);     \
-    CLEAVE_EXTERN template PolygonMesh<T> read_mesh<T>(const std::filesystem::path&, MeshOrigin*);            \
-    CLEAVE_EXTERN template std::string write_off<T>(const PolygonMesh<T>&);                                   \
-    CLEAVE_EXTERN template std::string write_obj<T>(const PolygonMesh<T>&);                                   \
-    CLEAVE_EXTERN template std::string write_stl<T>(const PolygonMesh<T>&, StlKind, StlRounding*);            \
+#define CLEAVE_EXTERN_MESHES(T)                                                                                       \
+    CLEAVE_EXTERN template MeshReport validate<T>(const PolygonMesh<T>&);                                             \
+    CLEAVE_EXTERN template MeshReport require_valid<T>(const PolygonMesh<T>&, Strictness, const MeshOrigin*);         \
+    CLEAVE_EXTERN template PolygonMesh<T> weld<T>(const PolygonMesh<T>&);                                             \
+    CLEAVE_EXTERN template Region<3> to_region<Rational, T>(const PolygonMesh<T>&, const ToRegionOptions&);           \
+    CLEAVE_EXTERN template Region<3> resolve<Rational, T>(const PolygonMesh<T>&, WindingRule, const ResolveOptions&); \
+    CLEAVE_EXTERN template std::vector<SelfContact> find_self_intersections<T>(const PolygonMesh<T>&,                 \
+                                                                               const SelfIntersectionOptions&);       \
+    CLEAVE_EXTERN template PolygonMesh<T> read_off<T>(std::string_view, const std::string&, MeshOrigin*);             \
+    CLEAVE_EXTERN template PolygonMesh<T> read_obj<T>(std::string_view, const std::string&, MeshOrigin*);             \
+    CLEAVE_EXTERN template PolygonMesh<T> read_stl<T>(std::string_view, const std::string&, MeshOrigin*);             \
+    CLEAVE_EXTERN template PolygonMesh<T> read_mesh<T>(const std::filesystem::path&, MeshOrigin*);                    \
+    CLEAVE_EXTERN template std::string write_off<T>(const PolygonMesh<T>&);                                           \
+    CLEAVE_EXTERN template std::string write_obj<T>(const PolygonMesh<T>&);                                           \
+    CLEAVE_EXTERN template std::string write_stl<T>(const PolygonMesh<T>&, StlKind, StlRounding*);                    \
     CLEAVE_EXTERN template StlRounding write_mesh<T>(const std::filesystem::path&, const PolygonMesh<T>&);
 
 CLEAVE_BEGIN_NAMESPACE
@@ -82,6 +85,8 @@ CLEAVE_EXTERN_MESHES(Rational)
 
 CLEAVE_EXTERN template Region<1> intervals<Rational>(std::span<const std::pair<Rational, Rational>>);
 CLEAVE_EXTERN template Region<2> polygons<Rational>(std::span<const std::vector<std::array<Rational, 2>>>);
+CLEAVE_EXTERN template Region<2> resolve<Rational>(std::span<const std::vector<std::array<Rational, 2>>>, WindingRule,
+                                                   ProgressReporter*);
 CLEAVE_EXTERN template Region<2> disc<Rational>(const std::array<Rational, 2>&, const Rational&, std::uint32_t);
 CLEAVE_EXTERN template Region<3> sphere<Rational>(const std::array<Rational, 3>&, const Rational&,
                                                   const SphereOptions&);

@@ -23,8 +23,12 @@
 /// | geometry/point_record    | what it knows of a point                                                           |
 /// | geometry/residues        | minors and doubles modulo 2^61-1                                                   |
 /// | geometry/bounds          | boxes around points known up to an error                                           |
+/// | geometry/rounded_meet    | correctly rounded coordinates of its points without an integer                      |
+/// | geometry/double_predicates, geometry/double_plane | orientation of points of doubles, planes through them       |
 /// | geometry/kernel_lines    | its lines                                                                          |
+/// | geometry/kernel_turn     | orientation of its points in a projection                                          |
 /// | geometry/point_interner  | the identity of its points                                                         |
+/// | geometry/segment_pairs   | which segments of two sets in the plane may meet                                   |
 ///
 /// Points and planes are homogeneous, so all of it works over a ring: `mpz_class`, `Integer`, `FixedInt<Bits>`. A field
 /// appears only where a coordinate is asked for.
@@ -39,12 +43,14 @@
 #include <cleave/geometry/canonical.hpp>
 #include <cleave/geometry/coordinates.hpp>
 #include <cleave/geometry/cross_point.hpp>
+#include <cleave/geometry/double_plane.hpp>
 #include <cleave/geometry/double_predicates.hpp>
 #include <cleave/geometry/handles.hpp>
 #include <cleave/geometry/interning.hpp>
 #include <cleave/geometry/kernel.hpp>
 #include <cleave/geometry/kernel_box.hpp>
 #include <cleave/geometry/kernel_lines.hpp>
+#include <cleave/geometry/kernel_turn.hpp>
 #include <cleave/geometry/line.hpp>
 #include <cleave/geometry/plane.hpp>
 #include <cleave/geometry/plane_relation.hpp>
@@ -55,6 +61,8 @@
 #include <cleave/geometry/point_record.hpp>
 #include <cleave/geometry/relation.hpp>
 #include <cleave/geometry/residues.hpp>
+#include <cleave/geometry/rounded_meet.hpp>
+#include <cleave/geometry/segment_pairs.hpp>
 #include <cleave/geometry/side.hpp>
 
 #endif

@@ -4,6 +4,8 @@
 ///     polygon_mesh    the mesh itself, with double or rational coordinates
 ///     to_region       the solid that a mesh bounds
 ///     from_region     the mesh of a solid, exact or rounded
+///     resolve         the solid that a mesh describes by a winding rule where it runs through itself
+///     self_intersections  which faces of a mesh cross or overlap each other
 ///     validate        does a mesh bound a set; if not, why and where (mesh_report, mesh_error)
 ///     face_shape      flat, without area, not flat; faces in triangles
 ///     triangulate     polygon sets with holes into triangles, every vertex used
@@ -20,6 +22,8 @@
 #include <cleave/mesh/mesh_report.hpp>
 #include <cleave/mesh/point_tests.hpp>
 #include <cleave/mesh/polygon_mesh.hpp>
+#include <cleave/mesh/resolve.hpp>
+#include <cleave/mesh/self_intersections.hpp>
 #include <cleave/mesh/to_region.hpp>
 #include <cleave/mesh/triangulate.hpp>
 #include <cleave/mesh/validate.hpp>

@@ -24,6 +24,7 @@
 #include <cleave/number/builtin.hpp>
 #include <cleave/number/concepts.hpp>
 #include <cleave/number/double.hpp>
+#include <cleave/number/double_double.hpp>
 #include <cleave/number/filter.hpp>
 #include <cleave/number/fixed_digits.hpp>
 #include <cleave/number/fixed_int.hpp>

@@ -9,12 +9,13 @@
 #include <cleave/setop/engines.hpp>
 #include <cleave/setop/expression.hpp>
 #include <cleave/setop/expression_text.hpp>
-#include <cleave/setop/face_crossing.hpp>
 #include <cleave/setop/filter_evaluation.hpp>
-#include <cleave/setop/label_forest.hpp>
-#include <cleave/setop/localised_evaluation.hpp>
 #include <cleave/setop/operators.hpp>
 #include <cleave/setop/options.hpp>
+#include <cleave/setop/planar_contacts.hpp>
+#include <cleave/setop/planar_evaluation.hpp>
+#include <cleave/setop/planar_labels.hpp>
+#include <cleave/setop/planar_location.hpp>
 #include <cleave/setop/tree_evaluation.hpp>
 
 #endif

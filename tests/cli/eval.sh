@@ -56,3 +56,4 @@ run eval 'a | b' a=a.off b=missing.off -o out.off
 expect_status 1
 expect_in "the message" "$err" "missing.off"
 expect_no_file out.off
+finish

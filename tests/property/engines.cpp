@@ -100,7 +100,7 @@ private:
         const Region<D> by_merge = apply(Engine::tree_merge, operation, a.region, b.region);
         INFO(to_text(operation));
         REQUIRE(by_filter.text == canonical(by_merge));
-        if constexpr (D == 3)
+        if constexpr (D == 2 || D == 3)
             REQUIRE(by_filter.text == canonical(apply(Engine::localised, operation, a.region, b.region)));
         REQUIRE(by_filter.region.is_bounded() == by_merge.is_bounded());
         ++compared;

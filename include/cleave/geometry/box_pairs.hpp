@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which boxes of one set meet which of another, without a hierarchy of either.
+/// Which boxes of one set meet which of another, or each other, without a hierarchy of either.
 #ifndef CLEAVE_GEOMETRY_BOX_PAIRS_HPP
 #define CLEAVE_GEOMETRY_BOX_PAIRS_HPP
 
@@ -81,6 +81,40 @@ void for_each_meeting_pair(std::span<NamedBox<D>> first, std::span<NamedBox<D>> 
             work.push_back({a, b.subspan(half)});
             work.push_back({a, b.first(half)});
         }
+    }
+}
+
+/// The same within one set: calls `visit(a, b)` with the names of every two of `boxes` that meet, each pair once.
+/// Reorders the set. Cost: O(n log n + answers) for well-shaped boxes.
+template <int D, class Visit>
+void for_each_meeting_pair(std::span<NamedBox<D>> boxes, Visit&& visit) {
+    constexpr std::size_t few = 8;
+    std::vector<std::span<NamedBox<D>>> work{boxes};
+    while (!work.empty()) {
+        const std::span<NamedBox<D>> part = work.back();
+        work.pop_back();
+        if (part.size() <= few) {
+            for (std::size_t i = 0; i < part.size(); ++i)
+                for (std::size_t j = i + 1; j < part.size(); ++j)
+                    if (!part[i].box.disjoint(part[j].box)) visit(part[i].name, part[j].name);
+            continue;
+        }
+        Bounds<D> all;
+        for (const NamedBox<D>& b : part) all.include(b.box);
+        std::size_t x = 0;
+        for (int i = 1; i < D; ++i)
+            if (all.extent(i) > all.extent(int(x))) x = std::size_t(i);
+        const std::size_t half = part.size() / 2;
+        std::nth_element(part.begin(), part.begin() + std::ptrdiff_t(half), part.end(),
+                         [x](const NamedBox<D>& p, const NamedBox<D>& q) {
+                             const double s = p.box.lo[x] / 2 + p.box.hi[x] / 2;
+                             const double t = q.box.lo[x] / 2 + q.box.hi[x] / 2;
+                             return s < t || (s == t && p.name < q.name);
+                         });
+        // Between the halves the other function discards at once what does not reach over the cut.
+        for_each_meeting_pair<D>(part.first(half), part.subspan(half), visit);
+        work.push_back(part.subspan(half));
+        work.push_back(part.first(half));
     }
 }
 

@@ -19,6 +19,7 @@
 #include <cleave/geometry/plane_table.hpp>
 #include <cleave/geometry/point_record.hpp>
 #include <cleave/geometry/residues.hpp>
+#include <cleave/geometry/rounded_meet.hpp>
 #include <cleave/number/builtin.hpp>
 #include <cleave/number/filter.hpp>
 #include <cleave/number/sign.hpp>
@@ -147,10 +148,9 @@ public:
         return exact_[r.exact];
     }
 
-    /// Makes the approximation of p the correctly rounded value of each coordinate (infinite beyond the doubles).
+    /// Makes the approximation of p the correctly rounded value of each coordinate.
     void refine(PointId p) {
-        Record& r = points_[p];
-        if (r.rounded) return;
+        if (points_[p].rounded || round_meet(p)) return;
         exact(p);
         if (is_infinite(p))
             points_[p].rounded = true;  // the error stays infinite
@@ -319,6 +319,29 @@ private:
         double largest = 0;
         for (double x : r.approximation) largest = std::max(largest, std::abs(x));
         return largest * unit * (1 + 0x1p-50) + 0x1p-1074;
+    }
+
+    /// The correctly rounded approximation of a meet without its exact coordinates. Returns: whether that worked.
+    bool round_meet(PointId p) {
+        if constexpr (D == 3 && !filtering::always_fails) {
+            Record& r = points_[p];
+            if (r.kind != Record::Kind::meet || r.exact != no_id || is_infinite(p)) return false;
+            std::array<DoubleDoublePlane, 3> rows;
+            for (std::size_t n = 0; n < 3; ++n) {
+                const auto& head = planes.approximation(r.planes[n]);
+                if (!(head[0] == head[0])) return false;
+                const auto& tail = planes.tail(r.planes[n]);
+                for (std::size_t i = 0; i < 4; ++i) rows[n][i] = {head[i], tail[i]};
+            }
+            const std::optional<std::array<double, 3>> x = rounded_meet(rows);
+            if (!x) return false;
+            r.approximation = *x;
+            r.rounded = true;
+            r.error = tight_error(r);
+            return true;
+        } else {
+            return false;
+        }
     }
 
     void approximate(Record& r) const {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 CLEAVE_BEGIN_NAMESPACE
 
@@ -17,6 +18,20 @@ struct AxisDirection {
     int axis = -1;
     Sign sign = Sign::zero;
 };
+
+/// The axis on which plane k's normal is longest, as far as doubles tell; the entry there is not zero.
+template <int D>
+[[nodiscard]] int dominant_axis(const Kernel<D>& kernel, std::uint32_t k) {
+    const auto& a = kernel.planes.approximation(k);
+    const auto& n = kernel.planes.exact(k);
+    int best = -1;
+    for (int i = 0; i < D; ++i) {
+        const auto at = std::size_t(i);
+        if (n[at].is_zero()) continue;
+        if (best < 0 || std::abs(a[at]) > std::abs(a[std::size_t(best)])) best = i;
+    }
+    return best;
+}
 
 /// The direction in which a facet's boundary runs along the meet of its plane f and the edge plane e (facet on the
 /// minus side of e): n_f x n_e for D = 3, n_f turned left for D = 2 (e is not used). The axis is the one on which the
@@ -57,6 +72,20 @@ AxisDirection edge_direction(const Kernel<D>& kernel, PlaneId f, PlaneId e) {
         if (s != Sign::zero) return {axis, s};
     }
     CLEAVE_ASSERT(D == 2);  // unreachable: crossing planes have a direction
+    return {};
+}
+
+/// D = 3: the direction from p to q, on the axis where it is longest as far as doubles tell. Requires: p and q differ.
+inline AxisDirection direction_between(Kernel<3>& kernel, PointId p, PointId q) {
+    const auto& x = kernel.point(p).approximation;
+    const auto& y = kernel.point(q).approximation;
+    std::array<int, 3> axes{0, 1, 2};
+    const auto size = [&](int axis) { return std::abs(y[std::size_t(axis)] - x[std::size_t(axis)]); };
+    if (size(1) > size(0)) std::swap(axes[0], axes[1]);
+    if (size(2) > size(axes[0])) std::swap(axes[0], axes[2]);
+    for (const int axis : axes)
+        if (const Sign s = kernel.compare(axis, q, p); s != Sign::zero) return {axis, s};
+    CLEAVE_ASSERT(false);  // they differ on some axis
     return {};
 }
 

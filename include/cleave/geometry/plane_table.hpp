@@ -39,6 +39,15 @@ public:
     [[nodiscard]] const Coefficients& exact(std::uint32_t k) const { return *exact_[k]; }
     /// Entries are NaN where the approximation would not obey the filter's error model (far out of double's range).
     [[nodiscard]] const Approximation& approximation(std::uint32_t k) const { return approximations_[k]; }
+    /// What the approximation leaves out of each coefficient, within 2^-106 of the coefficient. Computed when first
+    /// asked for. Requires: the approximation is not NaN.
+    const Approximation& tail(std::uint32_t k) {
+        if (k >= tails_.size()) tails_.resize(size(), unknown());
+        Approximation& t = tails_[k];
+        if (!(t[0] == t[0])) t = find_tail(exact(k), approximation(k));
+        return t;
+    }
+
     /// Residues of the canonical coefficients modulo 2^61-1.
     [[nodiscard]] const Residues& residues(std::uint32_t k) const { return residues_[k]; }
     /// The axis that the plane is perpendicular to, or -1.
@@ -228,9 +237,33 @@ private:
         return k;
     }
 
-    static Approximation approximate(const Coefficients& c) {
+    static Approximation unknown() {
+        Approximation a;
+        a.fill(std::nan(""));
+        return a;
+    }
+
+    /// The power of two by which approximations are smaller.
+    static std::size_t scale(const Coefficients& c) {
         std::size_t top = 0;
         for (std::size_t i = 0; i < D; ++i) top = std::max<std::size_t>(top, c[i].bit_length());
+        return top;
+    }
+
+    static Approximation find_tail(const Coefficients& c, const Approximation& a) {
+        const std::size_t top = scale(c);
+        Approximation tail{};
+        for (std::size_t i = 0; i <= D; ++i) {
+            if (c[i].bit_length() <= 53) continue;  // a double
+            const DoubleParts head = decompose(a[i]);
+            const auto shift = static_cast<std::size_t>(std::int64_t(head.exponent) + std::int64_t(top));
+            tail[i] = to_double(Integer(c[i] - Integer::scaled(head.mantissa, shift)), -std::int64_t(top));
+        }
+        return tail;
+    }
+
+    static Approximation approximate(const Coefficients& c) {
+        const std::size_t top = scale(c);
         Approximation a;
         bool fits = true;
         for (std::size_t i = 0; i <= D; ++i) {
@@ -238,8 +271,7 @@ private:
             // The filter's model is a relative error of 2^-53 per coefficient: no subnormals, no infinities.
             if (!c[i].is_zero() && !(std::abs(a[i]) >= 0x1p-900 && std::abs(a[i]) <= 0x1p900)) fits = false;
         }
-        if (!fits) a.fill(std::nan(""));
-        return a;
+        return fits ? a : unknown();
     }
 
     static int find_axis(const Coefficients& c) {
@@ -275,6 +307,7 @@ private:
 
     std::vector<std::shared_ptr<const Coefficients>> exact_;
     std::vector<Approximation> approximations_;
+    std::vector<Approximation> tails_;  // shorter than the table where nothing asked
     std::vector<Residues> residues_;
     std::vector<std::uint64_t> hashes_;
     std::vector<int> axes_;

@@ -6,16 +6,20 @@
 #include <cleave/geometry/kernel.hpp>
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 CLEAVE_BEGIN_NAMESPACE
 
-/// Maps points to representatives by a hash of their affine coordinates modulo 2^61-1, compared exactly on a hit: the
-/// names of a point (which planes it was made from) are many, its coordinates are one.
+/// Maps points to representatives by a hash, compared exactly on a hit: the names of a point (which planes it was made
+/// from) are many, its coordinates are one. In 3-D the hash is that of the correctly rounded coordinates, which equal
+/// points have in common and which are wanted anyway; where many points round alike, and elsewhere, that of the affine
+/// coordinates modulo 2^61-1.
 template <int D>
 class PointInterner {
 public:
@@ -74,29 +78,53 @@ private:
         }
     }
 
+    /// So many points that round alike are compared before residues tell others apart.
+    static constexpr int alike = 8;
+
     PointId by_place(PointId p) {
-        const std::uint64_t h = hash(p);
         if (2 * (entries_.size() + 1) > slots_.size()) grow();
+        if constexpr (D == 3) {
+            if (!kernel_->is_infinite(p)) {
+                if (const PointId found = find(p, hash_of_rounded(p), alike); found != no_id) return found;
+            }
+        }
+        return find(p, hash_of_residues(p), std::numeric_limits<int>::max());
+    }
+
+    /// The point interned first at p's place under this hash; p itself where it is the first and becomes that; `no_id`
+    /// after `most` others.
+    PointId find(PointId p, std::uint64_t h, int most) {
         const std::size_t mask = slots_.size() - 1;
         std::size_t at = std::size_t(h) & mask;
         for (; slots_[at] != no_id; at = (at + 1) & mask) {
             const Entry& e = entries_[slots_[at]];
-            if (e.hash == h && kernel_->same(e.point, p)) return e.point;
+            if (e.hash != h) continue;
+            if (kernel_->same(e.point, p)) return e.point;
+            if (--most == 0) return no_id;
         }
         slots_[at] = static_cast<std::uint32_t>(entries_.size());
         entries_.push_back({h, p});
         return p;
     }
 
-    std::uint64_t hash(PointId p) {
-        const auto r = kernel_->residues(p);
+    static void mix(std::uint64_t& h, std::uint64_t x) noexcept {
+        h ^= x;
+        h *= 0xff51afd7ed558ccdULL;
+        h ^= h >> 29U;
+    }
+
+    std::uint64_t hash_of_rounded(PointId p) {
+        kernel_->refine(p);
+        std::uint64_t h = 0x9e3779b97f4a7c15ULL;
+        for (const double x : kernel_->point(p).approximation) mix(h, std::bit_cast<std::uint64_t>(x + 0.0));
+        return h;
+    }
+
+    std::uint64_t hash_of_residues(PointId p) {
         std::uint64_t h = 0x2545f4914f6cdd1dULL;
+        const auto r = kernel_->residues(p);
         if (!r) return h;  // a weight divisible by the prime: rare, and compared exactly like the rest
-        for (const Mod61& x : *r) {
-            h ^= x.value();
-            h *= 0xff51afd7ed558ccdULL;
-            h ^= h >> 29U;
-        }
+        for (const Mod61& x : *r) mix(h, x.value());
         return h;
     }
 

@@ -4,6 +4,7 @@
 #define CLEAVE_MESH_FROM_REGION_HPP
 
 #include <cleave/base/error.hpp>
+#include <cleave/geometry/kernel_turn.hpp>
 #include <cleave/mesh/polygon_mesh.hpp>
 #include <cleave/mesh/triangulate.hpp>
 #include <cleave/mesh/weld.hpp>
@@ -49,63 +50,21 @@ struct ExportedMesh {
 /// Predicates in the plane of one face, on points of a kernel.
 class FacePlane {
 public:
-    FacePlane(Kernel<3>& kernel, PlaneId f) : kernel_(&kernel) {
-        const int drop = dominant_axis(kernel, unoriented(f));
-        const Sign up = kernel.planes.exact(unoriented(f))[std::size_t(drop)].sign();
-        const bool reversed = (up == Sign::minus) != is_flipped(f);
-        u_ = (drop + 1) % 3;
-        v_ = (drop + 2) % 3;
-        if (reversed) std::swap(u_, v_);
-    }
+    FacePlane(Kernel<3>& kernel, PlaneId f) : kernel_(&kernel), projection_(projection_of(kernel, f)) {}
 
     /// The lexicographic order of the projected points.
     [[nodiscard]] bool less(PointId p, PointId q) const {
         if (p == q) return false;
-        const Sign s = kernel_->compare(u_, p, q);
-        return s != Sign::zero ? s == Sign::minus : kernel_->compare(v_, p, q) == Sign::minus;
+        const Sign s = kernel_->compare(projection_.u, p, q);
+        return s != Sign::zero ? s == Sign::minus : kernel_->compare(projection_.v, p, q) == Sign::minus;
     }
 
     /// The turn p, q, r as seen from outside.
-    [[nodiscard]] Sign orient(PointId p, PointId q, PointId r) const {
-        if (p == q || q == r || p == r) return Sign::zero;
-        for (int attempt = 0; attempt < 2; ++attempt) {
-            const std::optional<Sign> s = filtered(p, q, r);
-            if (s) return *s;
-            if (attempt == 0)
-                for (const PointId x : {p, q, r}) kernel_->refine(x);
-        }
-        return exact(p, q, r);
-    }
+    [[nodiscard]] Sign orient(PointId p, PointId q, PointId r) const { return turn(*kernel_, p, q, r, projection_); }
 
 private:
-    [[nodiscard]] std::optional<Sign> filtered(PointId p, PointId q, PointId r) const {
-        if constexpr (filtering::always_fails) return std::nullopt;
-        const PointRecord<3>& a = kernel_->point(p);
-        const PointRecord<3>& b = kernel_->point(q);
-        const PointRecord<3>& c = kernel_->point(r);
-        return approximate_turn(a.approximation, b.approximation, c.approximation,
-                                {static_cast<std::uint8_t>(u_), static_cast<std::uint8_t>(v_)},
-                                std::max({a.error, b.error, c.error}));
-    }
-
-    [[nodiscard]] Sign exact(PointId p, PointId q, PointId r) const {
-        const Homogeneous<3> a = kernel_->coordinates(p);
-        const Homogeneous<3> b = kernel_->coordinates(q);
-        const Homogeneous<3> c = kernel_->coordinates(r);
-        const auto minor = [&](const Homogeneous<3>& x, const Homogeneous<3>& y, int i, int j) {
-            WideInteger m(x[std::size_t(i)] * WideInteger(y[std::size_t(j)]));
-            sub_product(m, x[std::size_t(j)], y[std::size_t(i)]);
-            return m;
-        };
-        WideInteger det = minor(b, c, u_, v_) * WideInteger(a[3]);
-        det -= minor(a, c, u_, v_) * WideInteger(b[3]);
-        det += minor(a, b, u_, v_) * WideInteger(c[3]);
-        return det.sign();
-    }
-
     Kernel<3>* kernel_;
-    int u_ = 0;
-    int v_ = 1;
+    Projection projection_;
 };
 
 /// Conforming triangles of a region's boundary as indices of its points, with the source of each.

@@ -3,6 +3,7 @@
 #ifndef CLEAVE_QUERY_COMPONENTS_HPP
 #define CLEAVE_QUERY_COMPONENTS_HPP
 
+#include <cleave/geometry/kernel_turn.hpp>
 #include <cleave/number/traits.hpp>
 #include <cleave/query/shells.hpp>
 #include <cleave/region/face_merge.hpp>
@@ -140,18 +141,7 @@ private:
         const Sign y_high = kernel.compare(1, high, q);
         if (y_low == y_high) return y_low == Sign::plus;
         // det(low, high, q) > 0: q is to the left. Through q itself the edge passes below q's shift in y.
-        const Homogeneous<3> a = kernel.coordinates(low);
-        const Homogeneous<3> b = kernel.coordinates(high);
-        const Homogeneous<3> c = kernel.coordinates(q);
-        const auto minor = [](const Homogeneous<3>& x, const Homogeneous<3>& y) {
-            WideInteger m(x[1] * WideInteger(y[2]));
-            sub_product(m, x[2], y[1]);
-            return m;
-        };
-        WideInteger det = minor(b, c) * WideInteger(a[3]);
-        det -= minor(a, c) * WideInteger(b[3]);
-        det += minor(a, b) * WideInteger(c[3]);
-        return det.sign() == Sign::plus;
+        return turn(kernel, low, high, q, Projection::along(0)) == Sign::plus;
     }
 
     /// A point in the relative interior of face f, in a piece of shell s. Seen along the axis on which the face's

@@ -27,20 +27,6 @@ template <int D>
     return h;
 }
 
-/// The axis on which plane k's normal is longest, as far as doubles tell; the entry there is not zero.
-template <int D>
-[[nodiscard]] int dominant_axis(const Kernel<D>& kernel, std::uint32_t k) {
-    const auto& a = kernel.planes.approximation(k);
-    const auto& n = kernel.planes.exact(k);
-    int best = -1;
-    for (int i = 0; i < D; ++i) {
-        const auto at = std::size_t(i);
-        if (n[at].is_zero()) continue;
-        if (best < 0 || std::abs(a[at]) > std::abs(a[std::size_t(best)])) best = i;
-    }
-    return best;
-}
-
 /// The plane through the edge from u to v of a face on plane f and the coordinate direction most across the face,
 /// which is on its minus side. For edges with no other plane that would do.
 inline PlaneId plane_across(Kernel<3>& kernel, PlaneId f, PointId u, PointId v) {

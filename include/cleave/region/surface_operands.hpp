@@ -4,6 +4,7 @@
 #ifndef CLEAVE_REGION_SURFACE_OPERANDS_HPP
 #define CLEAVE_REGION_SURFACE_OPERANDS_HPP
 
+#include <cleave/geometry/double_plane.hpp>
 #include <cleave/geometry/double_predicates.hpp>
 #include <cleave/geometry/kernel_lines.hpp>
 #include <cleave/geometry/point_interner.hpp>
@@ -86,10 +87,8 @@ public:
         const FaceList::Face& face = b.faces.faces[f];
         if (face.plane != no_id) return known = 2 * table_plane(i, unoriented(face.plane)) + (face.plane & 1U);
         const std::span<const Corner> c = b.faces.loop(face.first_loop);
-        const std::array<Homogeneous<3>, 3> through{Kernel<3>::from_doubles(position(i, c[0].point)),
-                                                    Kernel<3>::from_doubles(position(i, c[1].point)),
-                                                    Kernel<3>::from_doubles(position(i, c[2].point))};
-        return known = kernel_.join(through).value();
+        return known = kernel_.planes.intern(
+                   plane_through(position(i, c[0].point), position(i, c[1].point), position(i, c[2].point)));
     }
 
     /// The side of face f's plane on which a point of some operand lies.
@@ -119,10 +118,19 @@ public:
                 for (std::uint32_t c = first; c < last; ++c)
                     if (list.corners[c].edge == no_id)
                         o.uses.push_back(
-                            {ends(list.corners[c].point, list.corners[c + 1 == last ? first : c + 1].point), f});
+                            {ends(list.corners[c].point, list.corners[c + 1 == last ? first : c + 1].point), f, c});
             }
         }
         std::sort(o.uses.begin(), o.uses.end());
+        o.beside.assign(o.uses.empty() ? 0 : list.corners.size(), no_id);
+        for (std::size_t n = 0; n + 1 < o.uses.size(); ++n) {
+            const Use& a = o.uses[n];
+            const Use& b = o.uses[n + 1];
+            if (a.ends != b.ends || (n > 0 && o.uses[n - 1].ends == a.ends)) continue;
+            if (n + 2 < o.uses.size() && o.uses[n + 2].ends == a.ends) continue;
+            o.beside[a.corner] = b.face;
+            o.beside[b.corner] = a.face;
+        }
     }
 
     /// A plane other than that of face f through the edge from a to b, which starts at corner c. Not oriented.
@@ -131,11 +139,16 @@ public:
         const PlaneId given = o.boundary->faces.corners[c].edge;
         if (given != no_id) return table_plane(i, unoriented(given));
         const std::uint32_t own = unoriented(plane(i, f));
-        const std::uint64_t key = ends(a, b);
         std::uint32_t best = no_id;
-        for (auto u = std::lower_bound(o.uses.begin(), o.uses.end(), std::pair(key, 0U));
-             u != o.uses.end() && u->first == key; ++u) {
-            const std::uint32_t k = unoriented(plane(i, u->second));
+        if (c < o.beside.size() && o.beside[c] != no_id) {
+            best = unoriented(plane(i, o.beside[c]));
+            if (best != own) return best;
+            return unoriented(plane_across(kernel_, plane(i, f), point(i, a), point(i, b)));
+        }
+        const Use first{ends(a, b), 0, 0};
+        for (auto u = std::lower_bound(o.uses.begin(), o.uses.end(), first); u != o.uses.end() && u->ends == first.ends;
+             ++u) {
+            const std::uint32_t k = unoriented(plane(i, u->face));
             if (k != own && (best == no_id || k < best)) best = k;
         }
         if (best != no_id) return best;
@@ -153,13 +166,25 @@ public:
     }
 
 private:
+    /// A face at an edge.
+    struct Use {
+        std::uint64_t ends;
+        std::uint32_t face;
+        std::uint32_t corner;
+
+        friend bool operator<(const Use& a, const Use& b) {
+            return a.ends != b.ends ? a.ends < b.ends : std::pair(a.face, a.corner) < std::pair(b.face, b.corner);
+        }
+    };
+
     struct Operand {
         const Boundary<3>* boundary = nullptr;
         std::size_t first_vertex = 0;
         std::vector<PointId> points;
         std::vector<PlaneId> planes;              // of faces
         std::vector<std::uint32_t> table_planes;  // of the boundary's table
-        std::vector<std::pair<std::uint64_t, std::uint32_t>> uses;
+        std::vector<Use> uses;                    // of edges without a plane of their own
+        std::vector<std::uint32_t> beside;        // by corner: the only other face at the edge, if it is the only one
     };
 
     static std::uint64_t ends(PointId a, PointId b) {

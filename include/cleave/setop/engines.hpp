@@ -19,7 +19,7 @@ enum class Engine : std::uint8_t {
     automatic,        ///< the fastest that can
     boundary_filter,  ///< facets through the others' lazily built trees
     tree_merge,       ///< trees of all operands, merged; slower, and independent of the other
-    localised,        ///< only where operands meet; for bounded boundaries in 3-D, `boundary_filter` elsewhere
+    localised,        ///< only where operands meet; for bounded boundaries in 2-D and 3-D, `boundary_filter` elsewhere
 };
 
 /// All engines but `automatic`.

@@ -70,8 +70,8 @@ struct ContactPoint {
 };
 
 /// A segment of two faces that do not lie on one plane; its direction is n_f x n_g. `f_sides`: where the face f is
-/// beside it, 1 on the minus side of g's plane, 2 on the plus side. For coplanar faces the direction is that of the
-/// edge of `edge_of_f`'s face, and the bits tell the minus and plus side of that edge's own plane.
+/// beside it, 1 on the minus side of g's plane, 2 on the plus side. For coplanar faces the direction is that of f's
+/// edge, and the bits tell the minus and plus side of that edge's own plane.
 struct ContactSegment {
     PointId from, to;
     Feature of_f, of_g;
@@ -88,43 +88,44 @@ public:
     [[nodiscard]] std::span<const ContactPoint> points() const noexcept { return points_; }
     [[nodiscard]] std::span<const ContactSegment> segments() const noexcept { return segments_; }
 
-    /// The sides of face (j, g)'s plane on which the corners of face (i, f) lie. Returns: whether all are on one open
-    /// side, so that the faces have nothing in common.
-    bool apart(std::uint32_t i, std::uint32_t f, std::uint32_t j, std::uint32_t g, std::vector<Sign>& signs) {
-        bool below = false;
-        bool above = false;
-        bool on = false;
-        signs.clear();
-        const FaceList& list = operands_->boundary(i).faces;
-        const FaceList::Face& face = list.faces[f];
-        const std::uint32_t last = list.loop_first[face.first_loop + face.loop_count];
-        for (std::uint32_t c = list.loop_first[face.first_loop]; c < last; ++c) {
-            const Sign s = operands_->side(j, g, i, list.corners[c].point);
-            signs.push_back(s);
-            below = below || s == Sign::minus;
-            above = above || s == Sign::plus;
-            on = on || s == Sign::zero;
-        }
-        return !on && !(below && above);
-    }
+    /// On which sides of each other's planes the corners of two faces lie: two bits for each corner of small faces.
+    using PackedSigns = std::uint32_t;
 
-    /// Whether the faces can have anything in common, by the planes alone; keeps the signs for `find`.
+    /// Whether the faces can have anything in common, by the planes alone.
     bool reach(std::uint32_t i, std::uint32_t f, std::uint32_t j, std::uint32_t g) {
         return !apart(i, f, j, g, f_signs_) && !apart(j, g, i, f, g_signs_);
     }
 
+    /// What `reach` found out, if it returned true, for `find`.
+    [[nodiscard]] PackedSigns signs() const {
+        if (f_signs_.size() + g_signs_.size() > most_packed) return unpacked;
+        PackedSigns packed = 0;
+        for (const std::vector<Sign>* signs : {&g_signs_, &f_signs_})
+            for (std::size_t n = signs->size(); n-- > 0;)
+                packed = packed << 2U | static_cast<PackedSigns>(int((*signs)[n]) + 1);
+        return packed;
+    }
+
     /// Finds everything that faces (i, f) and (j, g) have in common. Returns: whether they are coplanar; their contacts
-    /// are then found by `find_coplanar`.
-    bool find(std::uint32_t i, std::uint32_t f, std::uint32_t j, std::uint32_t g) {
+    /// are then found by `find_coplanar`. Requires: they can have something in common, as `signs` says.
+    bool find(std::uint32_t i, std::uint32_t f, std::uint32_t j, std::uint32_t g, PackedSigns signs) {
         points_.clear();
         segments_.clear();
-        if (apart(i, f, j, g, f_signs_) || apart(j, g, i, f, g_signs_)) return false;
         f_.read(*operands_, i, f);
         g_.read(*operands_, j, g);
+        if (signs == unpacked) {
+            reach(i, f, j, g);
+        } else {
+            for (auto [face, out] : {std::pair(&f_, &f_signs_), std::pair(&g_, &g_signs_)}) {
+                out->clear();
+                for (std::size_t n = 0; n < face->entries.size(); ++n, signs >>= 2U)
+                    out->push_back(static_cast<Sign>(int(signs & 3U) - 1));
+            }
+        }
         if (std::all_of(f_signs_.begin(), f_signs_.end(), [](Sign s) { return s == Sign::zero; })) return true;
         direction_.axis = -1;
-        make_events(f_, f_signs_, true, f_events_, f_flat_);
-        make_events(g_, g_signs_, false, g_events_, g_flat_);
+        make_events(f_, f_signs_, true, f_events_, f_more_, f_flat_);
+        make_events(g_, g_signs_, false, g_events_, g_more_, g_flat_);
         if (f_events_.empty() || g_events_.empty()) return false;
         merge([&](Event& a, Event& b) { return order(a, b); });
         return false;
@@ -140,25 +141,19 @@ public:
         const FaceOutline::Entry& to = f_.entries[from.next];
         const PlaneId along = operands_->oriented_edge_plane(i, f, from.corner, from.point, to.point, f_.opposite(n));
         Kernel<3>& kernel = operands_->kernel();
-        bool below = false;
-        bool above = false;
-        bool on = false;
         g_signs_.clear();
         for (const FaceOutline::Entry& e : g_.entries) {
-            const Sign s = kernel.side(along, operands_->point(j, e.point));
-            g_signs_.push_back(s);
-            below = below || s == Sign::minus;
-            above = above || s == Sign::plus;
-            on = on || s == Sign::zero;
+            g_signs_.push_back(kernel.side(along, operands_->point(j, e.point)));
         }
-        if (!on && !(below && above)) return;
+        if (on_one_side(g_signs_)) return;
         const PointId a = operands_->point(i, from.point);
         const PointId b = operands_->point(i, to.point);
-        direction_ = direction(a, b);
+        direction_ = direction_between(kernel, a, b);
         line_ = along;
-        make_events(g_, g_signs_, false, g_events_, g_flat_, true);
+        make_events(g_, g_signs_, false, g_events_, g_more_, g_flat_, true);
         f_flat_.assign(1, n);
         f_events_.clear();
+        f_more_.clear();
         f_events_.push_back({a, n, true, 1});
         f_events_.push_back({b, from.next, true, 1});
         merge([&](Event& x, Event& y) { return order_points(x, y); });
@@ -166,6 +161,27 @@ public:
     }
 
 private:
+    static constexpr std::size_t most_packed = 15;
+    static constexpr PackedSigns unpacked = ~PackedSigns(0);
+
+    /// Whether all corners are on one open side.
+    static bool on_one_side(const std::vector<Sign>& signs) {
+        return signs.front() != Sign::zero &&
+               std::all_of(signs.begin(), signs.end(), [&](Sign s) { return s == signs.front(); });
+    }
+
+    /// The sides of face (j, g)'s plane on which the corners of face (i, f) lie. Returns: whether all are on one open
+    /// side, so that the faces have nothing in common.
+    bool apart(std::uint32_t i, std::uint32_t f, std::uint32_t j, std::uint32_t g, std::vector<Sign>& signs) {
+        signs.clear();
+        const FaceList& list = operands_->boundary(i).faces;
+        const FaceList::Face& face = list.faces[f];
+        const std::uint32_t last = list.loop_first[face.first_loop + face.loop_count];
+        for (std::uint32_t c = list.loop_first[face.first_loop]; c < last; ++c)
+            signs.push_back(operands_->side(j, g, i, list.corners[c].point));
+        return on_one_side(signs);
+    }
+
     /// Where a face's boundary meets the common line. `toggles`: whether crossing it enters or leaves what of the face
     /// is next to the line on its minus side (1) and on its plus side (2).
     struct Event {
@@ -178,8 +194,9 @@ private:
     static std::uint8_t sides(Sign s) { return s == Sign::minus ? 1 : (s == Sign::plus ? 2 : 0); }
 
     void make_events(const FaceOutline& face, const std::vector<Sign>& signs, bool first, std::vector<Event>& events,
-                     std::vector<std::uint32_t>& flat, bool always_sort = false) {
+                     std::vector<Event>& more, std::vector<std::uint32_t>& flat, bool always_sort = false) {
         events.clear();
+        more.clear();
         flat.clear();
         for (std::uint32_t n = 0; n < face.entries.size(); ++n) {
             const Sign s = signs[n];
@@ -216,10 +233,12 @@ private:
         // A face that touches itself passes one point several times.
         std::size_t kept = 0;
         for (std::size_t e = 1; e < events.size(); ++e) {
-            if (events[e].point == events[kept].point)
+            if (events[e].point == events[kept].point) {
                 events[kept].toggles = static_cast<std::uint8_t>(events[kept].toggles ^ events[e].toggles);
-            else
+                more.push_back(events[e]);
+            } else {
                 events[++kept] = events[e];
+            }
         }
         events.resize(kept + 1);
     }
@@ -227,20 +246,6 @@ private:
     void find_direction() {
         direction_ = edge_direction(operands_->kernel(), operands_->plane(f_.operand, f_.face),
                                     operands_->plane(g_.operand, g_.face));
-    }
-
-    AxisDirection direction(PointId a, PointId b) {
-        Kernel<3>& kernel = operands_->kernel();
-        std::array<int, 3> axes{0, 1, 2};
-        const auto size = [&](int axis) {
-            return std::abs(kernel.point(b).approximation[std::size_t(axis)] -
-                            kernel.point(a).approximation[std::size_t(axis)]);
-        };
-        std::sort(axes.begin(), axes.end(), [&](int x, int y) { return size(x) > size(y); });
-        for (const int axis : axes)
-            if (const Sign s = kernel.compare(axis, b, a); s != Sign::zero) return {axis, s};
-        CLEAVE_ASSERT(false);  // the ends of an edge differ
-        return {};
     }
 
     /// The kernel's point of an event.
@@ -360,6 +365,10 @@ private:
             else
                 at = a != nullptr ? point_of(*a, f_) : point_of(*b, g_);
             points_.push_back({at, of_f, of_g});
+            for (const Event& e : f_more_)
+                if (e.point == at) points_.push_back({at, feature(f_, &e, 0, no_id), of_g});
+            for (const Event& e : g_more_)
+                if (e.point == at) points_.push_back({at, of_f, feature(g_, &e, 0, no_id)});
             // A vertex of a face in the middle of one of its own edges is no end of anything by itself.
             const bool f_passes = a != nullptr && f_edge != no_id && f_edge == f_along && f_before == fs;
             const bool g_passes = b != nullptr && g_edge != no_id && g_edge == g_along && g_before == gs;
@@ -382,6 +391,7 @@ private:
     FaceOutline f_, g_;
     std::vector<Sign> f_signs_, g_signs_;
     std::vector<Event> f_events_, g_events_;
+    std::vector<Event> f_more_, g_more_;          // at the place of another event of the same face
     std::vector<std::uint32_t> f_flat_, g_flat_;  // edges in the line
     AxisDirection direction_;
     PlaneId line_ = no_id;  // coplanar faces: the plane along f's edge

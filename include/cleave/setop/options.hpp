@@ -21,9 +21,8 @@ struct OperationCounts {
     std::size_t tree_nodes = 0;      ///< tree merge: nodes of the operands' trees
     std::size_t merged_nodes = 0;    ///< tree merge: nodes of the merged tree
     std::size_t result_nodes = 0;    ///< tree merge: what collapsing leaves of them
-    std::size_t face_pairs = 0;      ///< localised: pairs of faces whose boxes meet
-    std::size_t faces_crossed = 0;   ///< localised: faces that others cross properly
-    std::size_t faces_filtered = 0;  ///< localised: faces left to boundary filtering
+    std::size_t face_pairs = 0;      ///< localised: pairs of faces (2-D: segments) whose boxes meet
+    std::size_t faces_crossed = 0;   ///< localised: faces that others touch
     std::size_t points_located = 0;  ///< localised: points whose operands no crossing told
 };
 

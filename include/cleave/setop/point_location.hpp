@@ -4,6 +4,7 @@
 #define CLEAVE_SETOP_POINT_LOCATION_HPP
 
 #include <cleave/geometry/box_hierarchy.hpp>
+#include <cleave/geometry/kernel_turn.hpp>
 #include <cleave/region/surface_operands.hpp>
 
 #include <array>
@@ -122,19 +123,8 @@ private:
         if (point_ == no_id && operands_->is_of_doubles(operand_, a) && operands_->is_of_doubles(operand_, b))
             return turn(operands_->position(operand_, a), operands_->position(operand_, b), doubles_,
                         Projection::along(2));
-        Kernel<3>& kernel = operands_->kernel();
-        const Homogeneous<3> x = kernel.coordinates(operands_->point(operand_, a));
-        const Homogeneous<3> y = kernel.coordinates(operands_->point(operand_, b));
-        const Homogeneous<3> z = kernel.coordinates(kernel_point());
-        const auto minor = [](const Homogeneous<3>& p, const Homogeneous<3>& q) {
-            WideInteger m(p[0] * WideInteger(q[1]));
-            sub_product(m, p[1], q[0]);
-            return m;
-        };
-        WideInteger det = minor(y, z) * WideInteger(x[3]);
-        det -= minor(x, z) * WideInteger(y[3]);
-        det += minor(x, y) * WideInteger(z[3]);
-        return det.sign();
+        return turn(operands_->kernel(), operands_->point(operand_, a), operands_->point(operand_, b), kernel_point(),
+                    Projection::along(2));
     }
 
     /// The sign of the last coordinate of face f's normal.

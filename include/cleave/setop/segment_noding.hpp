@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Common segments of two operands, cut where others end on them.
+/// Common segments of operands, cut where others cross them or end on them.
 #ifndef CLEAVE_SETOP_SEGMENT_NODING_HPP
 #define CLEAVE_SETOP_SEGMENT_NODING_HPP
 
-#include <cleave/setop/face_contact.hpp>
+#include <cleave/geometry/box_pairs.hpp>
+#include <cleave/setop/contact_records.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -16,40 +16,20 @@
 
 CLEAVE_BEGIN_NAMESPACE
 
-/// A common segment of a face of operand 0 and one of operand 1; see `ContactSegment`. Index 0 or 1 is the operand.
-struct CommonSegment {
-    std::array<std::uint32_t, 2> face;
-    std::array<std::uint32_t, 2> corner;  ///< of the face's edge that contains it, or `no_id`
-    PointId from, to;
-    std::array<std::uint8_t, 2> sides;
-    std::uint32_t edge_of;  ///< coplanar faces: the operand along whose edge it runs; `no_id` for others
-    bool opposite;          ///< coplanar: whether they face opposite ways
-};
-
-/// A common point as one of its faces sees it.
-struct PointContact {
-    std::uint32_t face;
-    Feature of_face;
-    Feature of_other;
-    PointId point;
-    std::uint32_t other;
-};
-
-/// Where an operand's boundary touches itself (a ridge lying on a face, say), common segments of different faces may
-/// overlap without being equal, and points on an edge be unknown to a face that contains the edge. One pass cuts each
-/// segment at the ends of those that it overlaps, and at the points on the edges along which it runs.
+/// Segments that a face has in common with two other operands may cross: three operands meet there. Where one operand's
+/// boundary touches itself (a ridge lying on a face, say), segments may overlap without being equal, and points on an
+/// edge be unknown to a face that contains the edge. One pass cuts each segment at such points.
 class SegmentNoding {
 public:
-    /// Requires: points ascend by face.
+    /// Requires: each operand's points ascend by face.
     SegmentNoding(SurfaceOperands& operands, std::vector<CommonSegment>& segments,
-                  std::array<std::vector<PointContact>, 2>& points)
+                  std::vector<std::vector<PointContact>>& points)
         : operands_(&operands), segments_(&segments), points_(&points) {}
 
     /// Returns: whether anything was cut.
     bool run() {
         find_points_on_edges();
-        find_overlaps(0);
-        find_overlaps(1);
+        find_crossings();
         if (cuts_.empty()) return false;
         std::sort(cuts_.begin(), cuts_.end());
         cuts_.erase(std::unique(cuts_.begin(), cuts_.end()), cuts_.end());
@@ -65,65 +45,141 @@ public:
 private:
     using Cut = std::pair<std::size_t, PointId>;
 
+    /// A segment inside a face: of its two faces, the one with this index.
+    struct Inside {
+        std::uint32_t operand;
+        std::uint32_t face;
+        std::size_t segment;
+        std::size_t slot;
+
+        friend bool operator<(const Inside& a, const Inside& b) {
+            if (a.operand != b.operand) return a.operand < b.operand;
+            return std::pair(a.face, a.segment) < std::pair(b.face, b.segment);
+        }
+    };
+
     void find_points_on_edges() {
         for (std::size_t s = 0; s < segments_->size(); ++s)
-            for (const std::uint32_t i : {0U, 1U}) {
+            for (const std::size_t slot : {std::size_t(0), std::size_t(1)}) {
                 const CommonSegment& c = (*segments_)[s];
-                if (c.corner[i] == no_id) continue;
-                const std::vector<PointContact>& points = (*points_)[i];
-                auto p = std::lower_bound(points.begin(), points.end(), c.face[i],
+                if (c.corner[slot] == no_id) continue;
+                const std::vector<PointContact>& points = (*points_)[c.operand[slot]];
+                auto p = std::lower_bound(points.begin(), points.end(), c.face[slot],
                                           [](const PointContact& x, std::uint32_t face) { return x.face < face; });
-                for (; p != points.end() && p->face == c.face[i]; ++p)
-                    if (p->of_face.kind == Feature::Kind::edge && p->of_face.corner == c.corner[i])
+                for (; p != points.end() && p->face == c.face[slot]; ++p)
+                    if (p->of_face.kind == Feature::Kind::edge && p->of_face.corner == c.corner[slot])
                         try_cut(s, p->point);
             }
     }
 
-    /// Segments inside one face of operand i, of which at least one runs along an edge of the other operand.
-    void find_overlaps(std::uint32_t i) {
-        const std::uint32_t j = 1 - i;
-        std::vector<std::pair<std::uint32_t, std::size_t>> inside;
-        bool any = false;
+    /// Two segments inside one face can have more in common than an end if they are of different operands, or if one of
+    /// them runs along an edge of its operand.
+    static bool can_meet(const CommonSegment& a, std::size_t a_slot, const CommonSegment& b, std::size_t b_slot) {
+        return a.operand[1 - a_slot] != b.operand[1 - b_slot] || a.corner[1 - a_slot] != no_id ||
+               b.corner[1 - b_slot] != no_id;
+    }
+
+    void find_crossings() {
+        const bool several = operands_->count() > 2;
+        inside_.clear();
+        bool any = several;
         for (std::size_t s = 0; s < segments_->size(); ++s) {
             const CommonSegment& c = (*segments_)[s];
-            if (c.corner[i] != no_id) continue;
-            inside.push_back({c.face[i], s});
-            any = any || c.corner[j] != no_id;
+            for (const std::size_t slot : {std::size_t(0), std::size_t(1)}) {
+                if (c.corner[slot] != no_id) continue;
+                inside_.push_back({c.operand[slot], c.face[slot], s, slot});
+                any = any || c.corner[1 - slot] != no_id;
+            }
         }
         if (!any) return;
-        std::sort(inside.begin(), inside.end());
-        for (std::size_t n = 0; n < inside.size();) {
+        std::sort(inside_.begin(), inside_.end());
+        for (std::size_t n = 0; n < inside_.size();) {
             std::size_t end = n;
-            while (end < inside.size() && inside[end].first == inside[n].first) ++end;
-            for (std::size_t e = n; e < end; ++e) {
-                const std::size_t edge = inside[e].second;
-                if ((*segments_)[edge].corner[j] == no_id) continue;
-                for (std::size_t o = n; o < end; ++o)
-                    if (o != e) overlap(j, edge, inside[o].second);
-            }
+            bool worth = false;
+            for (; end < inside_.size() && inside_[end].operand == inside_[n].operand &&
+                   inside_[end].face == inside_[n].face;
+                 ++end)
+                worth = worth || can_meet((*segments_)[inside_[n].segment], inside_[n].slot,
+                                          (*segments_)[inside_[end].segment], inside_[end].slot);
+            if (worth) node({inside_.data() + n, end - n});
             n = end;
         }
     }
 
-    /// Cuts segments of one face, the first along an edge of operand j, at each other's ends if they are on one line.
-    void overlap(std::uint32_t j, std::size_t a, std::size_t b) {
-        const CommonSegment x = (*segments_)[a];
-        const CommonSegment y = (*segments_)[b];
-        if ((x.from == y.from && x.to == y.to) || (x.from == y.to && x.to == y.from)) return;
-        Kernel<3>& kernel = operands_->kernel();
-        const PlaneId line = y.edge_of == no_id ? operands_->plane(j, y.face[j]) : 2 * edge_plane(y);
-        if (kernel.side(line, x.from) != Sign::zero || kernel.side(line, x.to) != Sign::zero) return;
-        for (const PointId p : {x.from, x.to}) try_cut(b, p);
-        for (const PointId p : {y.from, y.to}) try_cut(a, p);
+    /// All segments inside one face.
+    void node(std::span<const Inside> group) {
+        constexpr std::size_t few = 12;
+        const auto visit = [&](std::uint32_t a, std::uint32_t b) {
+            if (a < b) meet(group[a], group[b]);
+        };
+        if (group.size() <= few) {
+            for (std::uint32_t a = 0; a < group.size(); ++a)
+                for (std::uint32_t b = a + 1; b < group.size(); ++b) visit(a, b);
+            return;
+        }
+        std::array<std::vector<NamedBox<3>>, 2> boxes;
+        for (std::uint32_t n = 0; n < group.size(); ++n) {
+            const CommonSegment& c = (*segments_)[group[n].segment];
+            NamedBox<3> box;
+            box.name = n;
+            for (const PointId p : {c.from, c.to}) {
+                const PointRecord<3>& r = operands_->kernel().point(p);
+                box.box.include(r.approximation, r.error);
+            }
+            boxes[0].push_back(box);
+        }
+        boxes[1] = boxes[0];
+        for_each_meeting_pair<3>(boxes[0], boxes[1], visit);
     }
 
-    std::uint32_t edge_plane(const CommonSegment& y) {
-        const std::uint32_t i = y.edge_of;
+    /// Cuts two segments of one face at each other.
+    void meet(const Inside& x, const Inside& y) {
+        const CommonSegment a = (*segments_)[x.segment];
+        const CommonSegment b = (*segments_)[y.segment];
+        if (!can_meet(a, x.slot, b, y.slot)) return;
+        if ((a.from == b.from && a.to == b.to) || (a.from == b.to && a.to == b.from)) return;
+        Kernel<3>& kernel = operands_->kernel();
+        const PlaneId across_b = plane_across(b, y.slot);
+        const Sign a_from = kernel.side(across_b, a.from);
+        const Sign a_to = kernel.side(across_b, a.to);
+        if (a_from == a_to && a_from != Sign::zero) return;
+        if (a_from == a_to) {
+            for (const PointId p : {a.from, a.to}) try_cut(y.segment, p);
+            for (const PointId p : {b.from, b.to}) try_cut(x.segment, p);
+            return;
+        }
+        const PlaneId across_a = plane_across(a, x.slot);
+        const Sign b_from = kernel.side(across_a, b.from);
+        const Sign b_to = kernel.side(across_a, b.to);
+        if (b_from == b_to) return;
+        // The lines cross in one point; it is inside a segment whose ends are on both sides of the other's line.
+        const bool in_a = a_from * a_to == Sign::minus;
+        const bool in_b = b_from * b_to == Sign::minus;
+        if (!in_a) {
+            if (in_b) cuts_.push_back({y.segment, a_from == Sign::zero ? a.from : a.to});
+            return;
+        }
+        if (!in_b) {
+            cuts_.push_back({x.segment, b_from == Sign::zero ? b.from : b.to});
+            return;
+        }
+        const PlaneId face = operands_->plane(x.operand, x.face);
+        const PointId p =
+            operands_->interner()(kernel.cross(across_b, a.from, a.to, {unoriented(face), unoriented(across_a)}));
+        cuts_.push_back({x.segment, p});
+        cuts_.push_back({y.segment, p});
+    }
+
+    /// A plane that meets the segment's face `slot` in the segment's line.
+    PlaneId plane_across(const CommonSegment& c, std::size_t slot) {
+        if (c.edge_of == no_id) return operands_->plane(c.operand[1 - slot], c.face[1 - slot]);
+        const std::uint32_t i = c.operand[c.edge_of];
+        const std::uint32_t face = c.face[c.edge_of];
         FaceOutline outline;
-        outline.read(*operands_, i, y.face[i]);
+        outline.read(*operands_, i, face);
         for (const FaceOutline::Entry& e : outline.entries)
-            if (e.corner == y.corner[i])
-                return operands_->edge_plane(i, y.face[i], e.corner, e.point, outline.entries[e.next].point);
+            if (e.corner == c.corner[c.edge_of])
+                return 2 * operands_->edge_plane(i, face, e.corner, e.point, outline.entries[e.next].point);
         CLEAVE_ASSERT(false);  // a segment along an edge names it
         return no_id;
     }
@@ -146,18 +202,16 @@ private:
         const CommonSegment whole = (*segments_)[s];
         std::vector<PointId> points;
         for (const Cut& c : at) points.push_back(c.second);
-        int axis = 0;
-        while (kernel.compare(axis, whole.from, whole.to) == Sign::zero) ++axis;
-        const Sign up = kernel.compare(axis, whole.to, whole.from);
-        std::sort(points.begin(), points.end(),
-                  [&](PointId p, PointId q) { return p != q && kernel.compare(axis, q, p) == up; });
-        for (const std::uint32_t i : {0U, 1U}) {
-            if (whole.corner[i] == no_id) continue;
-            const std::uint32_t j = 1 - i;
-            const Feature own{Feature::Kind::edge, whole.corner[i]};
-            const Feature other = whole.corner[j] == no_id ? Feature{} : Feature{Feature::Kind::edge, whole.corner[j]};
-            for (const PointId p : points) (*points_)[i].push_back({whole.face[i], own, other, p, whole.face[j]});
+        if (points.size() > 1) {
+            const AxisDirection d = direction_between(kernel, whole.from, whole.to);
+            std::sort(points.begin(), points.end(),
+                      [&](PointId p, PointId q) { return p != q && kernel.compare(d.axis, q, p) == d.sign; });
         }
+        for (const std::size_t slot : {std::size_t(0), std::size_t(1)})
+            for (const PointId p : points)
+                (*points_)[whole.operand[slot]].push_back({whole.face[slot], whole.feature(slot),
+                                                           whole.feature(1 - slot), p, whole.operand[1 - slot],
+                                                           whole.face[1 - slot]});
         points.push_back(whole.to);
         (*segments_)[s].to = points[0];
         for (std::size_t n = 1; n < points.size(); ++n) {
@@ -170,7 +224,8 @@ private:
 
     SurfaceOperands* operands_;
     std::vector<CommonSegment>* segments_;
-    std::array<std::vector<PointContact>, 2>* points_;
+    std::vector<std::vector<PointContact>>* points_;
+    std::vector<Inside> inside_;
     std::vector<Cut> cuts_;
 };
 

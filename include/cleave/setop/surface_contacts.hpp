@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// All contacts of two operands' faces, listed by face.
+/// All contacts of the operands' faces, listed by face.
 #ifndef CLEAVE_SETOP_SURFACE_CONTACTS_HPP
 #define CLEAVE_SETOP_SURFACE_CONTACTS_HPP
 
@@ -17,66 +17,64 @@
 
 CLEAVE_BEGIN_NAMESPACE
 
-/// A common segment as one of its faces sees it. Where the other face is coplanar, `up_down` is 0, else `left_right`
-/// is. Directed so that a face that is not coplanar has its minus side on the left.
-struct SegmentRecord {
-    std::uint32_t face;
-    std::uint32_t corner;  ///< of the face's edge that contains it, or `no_id`
-    PointId from, to;
-    std::uint32_t other;      ///< the other operand's face
-    std::uint8_t up_down;     ///< 1: the other face is beneath, 2: above
-    std::uint8_t left_right;  ///< coplanar; 1: the other face is on the left, 2: on the right
-    bool opposite;            ///< coplanar: whether it faces the other way
-};
-
-/// Finds where two operands meet. Requires: operands of `SurfaceOperands`, two of them.
+/// Finds where operands meet. Requires: operands of `SurfaceOperands`, at most 64.
 class SurfaceContacts {
 public:
+    using Bits = std::uint64_t;
+
     /// Tells `progress` of twice `share` units of work.
     SurfaceContacts(SurfaceOperands& operands, ProgressReporter* progress, std::size_t share)
-        : operands_(&operands), progress_(progress), contact_(operands) {
-        find_near(0);
-        find_near(1);
+        : operands_(&operands),
+          progress_(progress),
+          contact_(operands),
+          neighbours_(operands.count(), 0),
+          near_(operands.count()),
+          boxes_(operands.count()),
+          segments_(operands.count()),
+          points_(operands.count()) {
+        find_neighbours();
+        for (std::uint32_t i = 0; i < operands.count(); ++i) find_near(i);
         find_pairs();
-        for (const std::uint32_t i : {0U, 1U}) {
-            std::vector<std::uint32_t> faces;
-            faces.reserve(pairs_.size());
-            for (const auto& pair : pairs_) faces.push_back(pair[i]);
-            std::sort(faces.begin(), faces.end());
-            faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-            operands.connect(i, faces);
-        }
+        connect();
         // Finding pairs was a share of the work, what they have in common is another.
         std::size_t told = 0;
         advance(share);
         for (std::size_t n = 0; n < pairs_.size(); ++n) {
-            meet(pairs_[n][0], pairs_[n][1]);
+            meet(pairs_[n]);
             const std::size_t reached = share * (n + 1) / pairs_.size();
             advance(reached - told);
             told = reached;
         }
         advance(share - told);
-        for (const std::uint32_t i : {0U, 1U}) sort_by_face(i, points_[i]);
-        while (SegmentNoding(operands, common_, points_).run())
-            for (const std::uint32_t i : {0U, 1U}) sort_by_face(i, points_[i]);
+        sort_points();
+        while (SegmentNoding(operands, common_, points_).run()) sort_points();
         list_segments();
     }
 
-    /// Faces of operand i whose boxes meet the other operand's box, ascending.
+    /// The operands whose bounds meet those of operand i.
+    [[nodiscard]] Bits neighbours(std::uint32_t i) const { return neighbours_[i]; }
+    /// Faces of operand i whose boxes meet another operand's box, ascending.
     [[nodiscard]] std::span<const std::uint32_t> near(std::uint32_t i) const { return near_[i]; }
     /// Records ascend by face.
-    [[nodiscard]] std::span<const SegmentRecord> segments(std::uint32_t i) const { return segments_[i]; }
     [[nodiscard]] std::span<const PointContact> points(std::uint32_t i) const { return points_[i]; }
+    [[nodiscard]] RecordWalk walk(std::uint32_t i) const { return RecordWalk(segments_[i], points_[i]); }
     [[nodiscard]] std::size_t pair_count() const noexcept { return pair_count_; }
 
 private:
+    /// Two faces that the planes do not keep apart, f of the operand that comes first.
+    struct Pair {
+        std::uint32_t i, j, f, g;
+        FaceContact::PackedSigns signs;
+    };
+
     /// A stable sort by face: by counting where there are many records, by comparing where there are few.
     template <class Record>
     void sort_by_face(std::uint32_t i, std::vector<Record>& records) {
+        const auto is_before = [](const Record& a, const Record& b) { return a.face < b.face; };
         const std::size_t faces = operands_->boundary(i).faces.faces.size();
+        if (std::is_sorted(records.begin(), records.end(), is_before)) return;
         if (records.size() < faces / 8) {
-            std::stable_sort(records.begin(), records.end(),
-                             [](const Record& a, const Record& b) { return a.face < b.face; });
+            std::stable_sort(records.begin(), records.end(), is_before);
             return;
         }
         std::vector<std::uint32_t> next(faces + 1, 0);
@@ -87,13 +85,33 @@ private:
         records.swap(sorted);
     }
 
+    void sort_points() {
+        for (std::uint32_t i = 0; i < operands_->count(); ++i) sort_by_face(i, points_[i]);
+    }
+
     void advance(std::size_t units) {
         if (progress_ != nullptr && units != 0) progress_->advance(units);
     }
 
+    void find_neighbours() {
+        for (std::uint32_t j = 1; j < operands_->count(); ++j)
+            for (std::uint32_t i = 0; i < j; ++i) {
+                if (operands_->boundary(i).bounds.disjoint(operands_->boundary(j).bounds)) continue;
+                neighbours_[i] |= Bits(1) << j;
+                neighbours_[j] |= Bits(1) << i;
+            }
+    }
+
+    [[nodiscard]] bool are_neighbours(std::uint32_t i, std::uint32_t j) const {
+        return (neighbours_[i] >> j & 1U) != 0;
+    }
+
     void find_near(std::uint32_t i) {
         const Boundary<3>& b = operands_->boundary(i);
-        const Bounds<3>& other = operands_->boundary(1 - i).bounds;
+        std::vector<Bounds<3>> others;
+        for (std::uint32_t j = 0; j < operands_->count(); ++j)
+            if (are_neighbours(i, j)) others.push_back(operands_->boundary(j).bounds);
+        if (others.empty()) return;
         for (std::uint32_t f = 0; f < b.faces.faces.size(); ++f) {
             const FaceList::Face& face = b.faces.faces[f];
             Bounds<3> box;
@@ -109,66 +127,112 @@ private:
                     box.include(r.approximation, r.error);
                 }
             }
-            if (box.disjoint(other)) continue;
+            if (std::all_of(others.begin(), others.end(), [&](const Bounds<3>& o) { return box.disjoint(o); }))
+                continue;
             near_[i].push_back(f);
             boxes_[i].push_back({box, f});
         }
     }
 
     void find_pairs() {
-        if (near_[0].empty() || near_[1].empty()) return;
-        for_each_meeting_pair<3>(boxes_[0], boxes_[1], [&](std::uint32_t f, std::uint32_t g) {
-            if ((++pair_count_ & 0xfffU) == 0 && progress_ != nullptr) progress_->throw_if_stopped();
-            if (contact_.reach(0, f, 1, g)) pairs_.push_back({f, g});
-        });
-        std::sort(pairs_.begin(), pairs_.end());
+        std::vector<NamedBox<3>> first, second;
+        const auto reaching = [&](std::uint32_t i, std::uint32_t j, std::vector<NamedBox<3>>& out) {
+            out.clear();
+            const Bounds<3>& bounds = operands_->boundary(j).bounds;
+            for (const NamedBox<3>& b : boxes_[i])
+                if (!b.box.disjoint(bounds)) out.push_back(b);
+        };
+        const auto visit = [&](std::uint32_t i, std::uint32_t j) {
+            const std::size_t before = pairs_.size();
+            for_each_meeting_pair<3>(first, second, [&](std::uint32_t f, std::uint32_t g) {
+                if ((++pair_count_ & 0xfffU) == 0 && progress_ != nullptr) progress_->throw_if_stopped();
+                if (contact_.reach(i, f, j, g)) pairs_.push_back({i, j, f, g, contact_.signs()});
+            });
+            std::sort(pairs_.begin() + std::ptrdiff_t(before), pairs_.end(),
+                      [](const Pair& a, const Pair& b) { return std::pair(a.f, a.g) < std::pair(b.f, b.g); });
+        };
+        for (std::uint32_t j = 1; j < operands_->count(); ++j)
+            for (std::uint32_t i = 0; i < j; ++i) {
+                if (!are_neighbours(i, j)) continue;
+                if (operands_->count() == 2) {  // what is near is what reaches the other
+                    first.swap(boxes_[0]);
+                    second.swap(boxes_[1]);
+                } else {
+                    reaching(i, j, first);
+                    reaching(j, i, second);
+                }
+                visit(i, j);
+            }
+        boxes_.clear();
     }
 
-    void meet(std::uint32_t f, std::uint32_t g) {
-        if (contact_.find(0, f, 1, g)) {
-            meet_coplanar(f, g);
+    /// Makes neighbours known among the faces that may be cut.
+    void connect() {
+        std::vector<std::vector<std::uint32_t>> faces(operands_->count());
+        for (const Pair& p : pairs_) {
+            if (faces[p.i].empty() || faces[p.i].back() != p.f) faces[p.i].push_back(p.f);
+            faces[p.j].push_back(p.g);
+        }
+        for (std::uint32_t i = 0; i < operands_->count(); ++i) {
+            std::sort(faces[i].begin(), faces[i].end());
+            faces[i].erase(std::unique(faces[i].begin(), faces[i].end()), faces[i].end());
+            operands_->connect(i, faces[i]);
+        }
+    }
+
+    void meet(const Pair& p) {
+        if (contact_.find(p.i, p.f, p.j, p.g, p.signs)) {
+            meet_coplanar(p);
             return;
         }
         for (const ContactSegment& s : contact_.segments())
-            common_.push_back(
-                {{f, g}, {s.of_f.corner, s.of_g.corner}, s.from, s.to, {s.f_sides, s.g_sides}, no_id, false});
-        for (const ContactPoint& p : contact_.points()) add_point(0, f, p.of_f, g, p.of_g, p.point);
+            common_.push_back({{p.i, p.j},
+                               {p.f, p.g},
+                               {s.of_f.corner, s.of_g.corner},
+                               s.from,
+                               s.to,
+                               {s.f_sides, s.g_sides},
+                               no_id,
+                               false});
+        for (const ContactPoint& c : contact_.points()) add_point(p.i, p.f, c.of_f, p.j, p.g, c.of_g, c.point);
     }
 
-    void meet_coplanar(std::uint32_t f, std::uint32_t g) {
-        const bool opposite = operands_->plane(0, f) != operands_->plane(1, g);
-        if (meet_equal(f, g, opposite)) return;
-        for (const std::uint32_t i : {0U, 1U}) {
-            const std::uint32_t own = i == 0 ? f : g;
-            const std::uint32_t other = i == 0 ? g : f;
+    void meet_coplanar(const Pair& p) {
+        const bool opposite = operands_->plane(p.i, p.f) != operands_->plane(p.j, p.g);
+        if (meet_equal(p, opposite)) return;
+        const std::array<std::uint32_t, 2> operand{p.i, p.j};
+        const std::array<std::uint32_t, 2> face{p.f, p.g};
+        for (const std::uint32_t own : {0U, 1U}) {
+            const std::uint32_t other = 1 - own;
             FaceOutline outline;
-            outline.read(*operands_, i, own);
+            outline.read(*operands_, operand[own], face[own]);
             for (std::uint32_t n = 0; n < outline.entries.size(); ++n) {
-                contact_.find_coplanar(i, own, 1 - i, other, n);
+                contact_.find_coplanar(operand[own], face[own], operand[other], face[other], n);
                 for (const ContactSegment& s : contact_.segments()) {
                     // What both faces have as an edge is found twice.
-                    if (i == 1 && s.of_g.kind == Feature::Kind::edge) continue;
-                    CommonSegment c{{f, g}, {no_id, no_id}, s.from, s.to, {1, 1}, i, opposite};
-                    c.corner[i] = s.of_f.corner;
-                    c.corner[1 - i] = s.of_g.corner;
-                    c.sides[1 - i] = s.g_sides;
+                    if (own == 1 && s.of_g.kind == Feature::Kind::edge) continue;
+                    CommonSegment c{operand, face, {no_id, no_id}, s.from, s.to, {1, 1}, own, opposite};
+                    c.corner[own] = s.of_f.corner;
+                    c.corner[other] = s.of_g.corner;
+                    c.sides[other] = s.g_sides;
                     common_.push_back(c);
                 }
-                for (const ContactPoint& p : contact_.points()) add_point(i, own, p.of_f, other, p.of_g, p.point);
+                for (const ContactPoint& c : contact_.points())
+                    add_point(operand[own], face[own], c.of_f, operand[other], face[other], c.of_g, c.point);
             }
         }
     }
 
     /// Triangles with the same corners have their edges in common. Returns: whether they are such.
-    bool meet_equal(std::uint32_t f, std::uint32_t g, bool opposite) {
+    bool meet_equal(const Pair& pair, bool opposite) {
         const FaceOutline& a = contact_.f();
         const FaceOutline& b = contact_.g();
         if (!a.is_triangle() || !b.is_triangle()) return false;
         std::array<PointId, 3> p{};
         std::array<PointId, 3> q{};
         for (std::size_t n = 0; n < 3; ++n) {
-            p[n] = operands_->point(0, a.entries[n].point);
-            q[n] = operands_->point(1, b.entries[n].point);
+            p[n] = operands_->point(pair.i, a.entries[n].point);
+            q[n] = operands_->point(pair.j, b.entries[n].point);
         }
         std::size_t shift = 0;
         while (shift < 3 && q[shift] != p[0]) ++shift;
@@ -178,46 +242,50 @@ private:
         for (std::size_t n = 0; n < 3; ++n) {
             const std::size_t next = (n + 1) % 3;
             const std::uint32_t edge = b.entries[opposite ? match(next) : match(n)].corner;
-            common_.push_back({{f, g}, {a.entries[n].corner, edge}, p[n], p[next], {1, 1}, 0, opposite});
-            add_point(0, f, {Feature::Kind::vertex, a.entries[n].corner}, g,
+            common_.push_back(
+                {{pair.i, pair.j}, {pair.f, pair.g}, {a.entries[n].corner, edge}, p[n], p[next], {1, 1}, 0, opposite});
+            add_point(pair.i, pair.f, {Feature::Kind::vertex, a.entries[n].corner}, pair.j, pair.g,
                       {Feature::Kind::vertex, b.entries[match(n)].corner}, p[n]);
         }
         return true;
     }
 
-    /// The segments as the faces of either operand see them.
+    /// The segments as their faces see them.
     void list_segments() {
         for (const CommonSegment& s : common_) {
+            const auto add = [&](std::size_t own, PointId from, PointId to, std::uint8_t up_down,
+                                 std::uint8_t left_right) {
+                segments_[s.operand[own]].push_back({s.face[own], s.corner[own], from, to, s.operand[1 - own],
+                                                     s.face[1 - own], up_down, left_right, s.opposite});
+            };
             if (s.edge_of == no_id) {
-                segments_[0].push_back({s.face[0], s.corner[0], s.from, s.to, s.face[1], s.sides[1], 0, false});
-                segments_[1].push_back({s.face[1], s.corner[1], s.to, s.from, s.face[0], s.sides[0], 0, false});
+                add(0, s.from, s.to, s.sides[1], 0);
+                add(1, s.to, s.from, s.sides[0], 0);
                 continue;
             }
-            const std::uint32_t i = s.edge_of;
-            const std::uint32_t j = 1 - i;
             // The face whose edge it is lies on the edge's left, seen from its own outside.
-            const std::uint8_t left = s.opposite ? 2 : 1;
-            segments_[i].push_back({s.face[i], s.corner[i], s.from, s.to, s.face[j], 0, s.sides[j], s.opposite});
-            segments_[j].push_back({s.face[j], s.corner[j], s.from, s.to, s.face[i], 0, left, s.opposite});
+            add(s.edge_of, s.from, s.to, 0, s.sides[1 - s.edge_of]);
+            add(1 - s.edge_of, s.from, s.to, 0, s.opposite ? 2 : 1);
         }
-        for (const std::uint32_t i : {0U, 1U}) sort_by_face(i, segments_[i]);
+        for (std::uint32_t i = 0; i < operands_->count(); ++i) sort_by_face(i, segments_[i]);
     }
 
-    void add_point(std::uint32_t i, std::uint32_t own, Feature of_own, std::uint32_t other, Feature of_other,
-                   PointId point) {
-        points_[i].push_back({own, of_own, of_other, point, other});
-        points_[1 - i].push_back({other, of_other, of_own, point, own});
+    void add_point(std::uint32_t i, std::uint32_t own, Feature of_own, std::uint32_t j, std::uint32_t other,
+                   Feature of_other, PointId point) {
+        points_[i].push_back({own, of_own, of_other, point, j, other});
+        points_[j].push_back({other, of_other, of_own, point, i, own});
     }
 
     SurfaceOperands* operands_;
     ProgressReporter* progress_;
     FaceContact contact_;
-    std::array<std::vector<std::uint32_t>, 2> near_;
-    std::array<std::vector<NamedBox<3>>, 2> boxes_;
-    std::vector<std::array<std::uint32_t, 2>> pairs_;
+    std::vector<Bits> neighbours_;
+    std::vector<std::vector<std::uint32_t>> near_;
+    std::vector<std::vector<NamedBox<3>>> boxes_;
+    std::vector<Pair> pairs_;
     std::vector<CommonSegment> common_;
-    std::array<std::vector<SegmentRecord>, 2> segments_;
-    std::array<std::vector<PointContact>, 2> points_;
+    std::vector<std::vector<SegmentRecord>> segments_;
+    std::vector<std::vector<PointContact>> points_;
     std::size_t pair_count_ = 0;
 };
 

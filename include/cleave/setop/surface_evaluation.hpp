@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Set operations on two bounded boundaries in 3-D whose cost follows where they meet: the localised engine.
+/// Set operations on bounded boundaries in 3-D whose cost follows where they meet: the localised engine.
 ///
 /// Faces whose boxes meet are compared in pairs; what a pair has in common gets names that all faces at it agree on
-/// (`FaceContact`). A touched face is a set of directed edges: parts of its own, and the common segments. What is on
-/// their left follows from the faces that meet there (`SurfaceLabels`), above and below apart, so that coplanar faces,
-/// ridges and contacts are no special case. Other faces take their label from their vertices and pass by index: no
-/// plane, copy or predicate is ever spent on them.
+/// (`FaceContact`), and where three operands meet, segments cut each other (`SegmentNoding`). A touched face is a set
+/// of directed edges: parts of its own, and the common segments. What is on their left follows from the faces that meet
+/// there (`SurfaceLabels`), for each operand above and below apart, so that coplanar faces, ridges and contacts are no
+/// special case. Other faces take their label from their vertices and pass by index: no plane, copy or predicate is
+/// ever spent on them.
 #ifndef CLEAVE_SETOP_SURFACE_EVALUATION_HPP
 #define CLEAVE_SETOP_SURFACE_EVALUATION_HPP
 
@@ -25,16 +26,16 @@
 
 CLEAVE_BEGIN_NAMESPACE
 
-/// One evaluation. Requires: two operands, finite and conforming.
+/// One evaluation. Requires: 1 to 64 operands, finite and conforming.
 class SurfaceEvaluation {
 public:
     using Bits = BooleanFunction::Bits;
 
     /// Whether these operands are what this engine is made for.
     static bool is_for(std::span<const Boundary<3>* const> operands) {
-        return operands.size() == 2 && std::all_of(operands.begin(), operands.end(), [](const Boundary<3>* b) {
-                   return b->is_finite && b->is_conforming;
-               });
+        return !operands.empty() && operands.size() <= BooleanFunction::max_arity &&
+               std::all_of(operands.begin(), operands.end(),
+                           [](const Boundary<3>* b) { return b->is_finite && b->is_conforming; });
     }
 
     SurfaceEvaluation(std::span<const Boundary<3>* const> operands, const BooleanFunction& function,
@@ -49,7 +50,7 @@ public:
           options_(&options) {
         if (options.progress != nullptr) options.progress->advance(face_count_);
         sound_ = labels_.is_consistent();
-        for (const std::uint32_t i : {0U, 1U})
+        for (std::uint32_t i = 0; i < operands_.count(); ++i)
             if (sound_) assemble(i);
         sound_ = sound_ && labels_.is_consistent();
         if (sound_ && options.progress != nullptr) options.progress->finish();
@@ -62,15 +63,13 @@ public:
     /// The result. Requires: `is_sound()`.
     [[nodiscard]] Boundary<3> finish() {
         CLEAVE_REQUIRES(sound_);
-        Bits far = 0;
-        for (const std::uint32_t i : {0U, 1U}) far |= Bits(operands_.boundary(i).value_at_infinity ? 1 : 0) << i;
         if (options_->counts != nullptr) {
             counts_.kernel = operands_.kernel().counts();
             counts_.face_pairs = contacts_.pair_count();
             counts_.points_located = labels_.located();
             *options_->counts = counts_;
         }
-        return result_.finish(function_(far));
+        return result_.finish(function_(labels_.far()));
     }
 
 private:
@@ -92,39 +91,52 @@ private:
         bool left;  // whether the part is on the piece's left
     };
 
-    [[nodiscard]] Action action(std::uint32_t i, TwoSided s) const {
+    [[nodiscard]] Action action(std::uint32_t i, const SideBits& s) const {
         const Bits own = Bits(1) << i;
-        const Bits other = Bits(1) << (1 - i);
-        // A part that both operands have comes from the first.
-        if (s.above != s.below && i == 1) return Action::drop;
-        const bool below = function_(own | (s.below ? other : 0));
-        const bool above = function_(s.above ? other : 0);
+        const Bits others = ~own;
+        // A part that several operands have comes from the first of them.
+        if (((s.above ^ s.below) & (own - 1)) != 0) return Action::drop;
+        const bool below = function_(own | (s.below & others));
+        const bool above = function_(s.above & others);
         if (below == above) return Action::drop;
         return below ? Action::keep : Action::flip;
     }
 
     void assemble(std::uint32_t i) {
         const Boundary<3>& b = operands_.boundary(i);
-        const Boundary<3>& other = operands_.boundary(1 - i);
-        const bool far = other.value_at_infinity;
-        const Action beyond = action(i, {far, far});
+        const Action beyond = action(i, {labels_.far(), labels_.far()});
         const std::span<const std::uint32_t> near = contacts_.near(i);
         std::size_t at = 0;
-        SurfaceLabels::Walk walk(contacts_, i);
+        RecordWalk walk = contacts_.walk(i);
         for (std::uint32_t f = 0; f < b.faces.faces.size() && sound_; ++f) {
             if (options_->progress != nullptr) options_->progress->advance();
             if (at == near.size() || near[at] != f) {
                 copy(i, f, beyond);
                 continue;
             }
-            ++at;
-            const SurfaceLabels::FaceRecords records = walk.of(f);
-            if (!records.points.empty() || !has_one_label(i, f)) {
+            const FaceRecords records = walk.of(f);
+            pieces_ = labels_.pieces(i, at++);
+            if (!pieces_.empty()) {
                 assemble_touched(i, f, records);
                 continue;
             }
-            const bool inside = labels_.contains(i, first_corner(i, b.faces.faces[f].first_loop));
-            copy(i, f, action(i, {inside, inside}));
+            const Bits inside = labels_.containing(i, first_corner(i, b.faces.faces[f].first_loop));
+            if (has_one_label(i, f, inside)) {
+                copy(i, f, action(i, {inside, inside}));
+                continue;
+            }
+            // A face in several pieces, on different sides of operands that do not touch it.
+            outline_.read(operands_, i, f);
+            untouched_.clear();
+            for (std::uint32_t n = 0; n < outline_.entries.size(); ++n) {
+                FacePiece piece;
+                piece.n = n;
+                const Bits here = labels_.containing(i, outline_.entries[n].point);
+                piece.learn(~Bits(0), {here, here});
+                untouched_.push_back(piece);
+            }
+            pieces_ = untouched_;
+            assemble_touched(i, f, records);
         }
     }
 
@@ -133,13 +145,11 @@ private:
         return list.corners[list.loop_first[loop]].point;
     }
 
-    /// Whether all loops of a face that nothing touches are on the same side: a face may be in several pieces.
-    bool has_one_label(std::uint32_t i, std::uint32_t f) {
+    /// Whether all loops of a face that nothing touches have this label: a face may be in several pieces.
+    bool has_one_label(std::uint32_t i, std::uint32_t f, Bits inside) {
         const FaceList::Face& face = operands_.boundary(i).faces.faces[f];
         for (std::uint32_t l = 1; l < face.loop_count; ++l)
-            if (labels_.contains(i, first_corner(i, face.first_loop + l)) !=
-                labels_.contains(i, first_corner(i, face.first_loop)))
-                return false;
+            if (labels_.containing(i, first_corner(i, face.first_loop + l)) != inside) return false;
         return true;
     }
 
@@ -149,20 +159,16 @@ private:
         result_.add_copy(i, f, a == Action::flip);
     }
 
-    void assemble_touched(std::uint32_t i, std::uint32_t f, const SurfaceLabels::FaceRecords& records) {
+    void assemble_touched(std::uint32_t i, std::uint32_t f, const FaceRecords& records) {
         ++counts_.faces_crossed;
         outline_.read(operands_, i, f);
-        labels_.cut(i, f, records, outline_, pieces_);
+        labels_.complete(outline_, records, pieces_);
         Action only = Action::drop;
         bool same = true;
         bool split = false;
         actions_.clear();
         for (std::size_t n = 0; n < pieces_.size(); ++n) {
-            FacePiece& p = pieces_[n];
-            if (!p.is_known) {
-                const bool inside = labels_.resolve(i, p, outline_);
-                p.left = {inside, inside};
-            }
+            const FacePiece& p = pieces_[n];
             const Action left = action(i, p.left);
             const Action right = p.n == no_id ? action(i, p.right) : left;
             if (n == 0) only = left;
@@ -203,7 +209,7 @@ private:
             edges_.push_back({to, from, piece, left});
     }
 
-    void emit(std::uint32_t i, std::uint32_t f, const SurfaceLabels::FaceRecords& records, Action what) {
+    void emit(std::uint32_t i, std::uint32_t f, const FaceRecords& records, Action what) {
         ++counts_.faces_merged;
         std::sort(edges_.begin(), edges_.end(),
                   [](const OutEdge& a, const OutEdge& b) { return std::pair(a.from, a.to) < std::pair(b.from, b.to); });
@@ -230,8 +236,7 @@ private:
 
     /// The plane of an edge of the result, the result's part of the face on its minus side; `no_id` where nobody will
     /// need it: for a whole edge of an input mesh.
-    PlaneId edge_plane(std::uint32_t i, std::uint32_t f, const SurfaceLabels::FaceRecords& records, const OutEdge& e,
-                       bool needed) {
+    PlaneId edge_plane(std::uint32_t i, std::uint32_t f, const FaceRecords& records, const OutEdge& e, bool needed) {
         const FacePiece& p = pieces_[e.piece];
         if (p.n != no_id) {
             const FaceOutline::Entry& from = outline_.entries[p.n];
@@ -242,7 +247,8 @@ private:
         }
         if (p.cut == no_id) return plane_across(operands_.kernel(), operands_.plane(i, f), e.from, e.to);
         // A record has its plane's minus side on its left.
-        const PlaneId h = operands_.plane(1 - i, records.segments[p.cut].other);
+        const SegmentRecord& r = records.segments[p.cut];
+        const PlaneId h = operands_.plane(r.operand, r.other);
         return e.left == p.along ? h : flipped(h);
     }
 
@@ -261,7 +267,8 @@ private:
     SurfaceResult result_;
     BooleanFunction function_;
     const OperationOptions* options_;
-    std::vector<FacePiece> pieces_;
+    std::span<FacePiece> pieces_;  // of the face in hand
+    std::vector<FacePiece> untouched_;
     std::vector<std::pair<Action, Action>> actions_;
     std::vector<OutEdge> edges_;
     std::vector<PointId> ends_;

@@ -70,3 +70,19 @@ TEST_CASE("box pairs: many equal boxes, and long thin ones among small ones") {
     CHECK(meeting(a, {}).empty());
     CHECK(meeting({}, b).empty());
 }
+
+TEST_CASE("box pairs: within one set, the same as by trying all") {
+    Dice dice(5);
+    for (std::size_t n = 0; n < scaled(60); ++n) {
+        const auto all = boxes(dice, std::size_t(dice.between(0, 300)), dice.between(1, 40), dice.between(0, 20));
+        Pairs found;
+        auto copy = all;
+        for_each_meeting_pair<3>(copy, [&](std::uint32_t x, std::uint32_t y) { found.push_back(std::minmax(x, y)); });
+        std::sort(found.begin(), found.end());
+        Pairs expected = by_force(all, all);
+        expected.erase(std::remove_if(expected.begin(), expected.end(),
+                                      [](const auto& pair) { return pair.first >= pair.second; }),
+                       expected.end());
+        CHECK(found == expected);
+    }
+}

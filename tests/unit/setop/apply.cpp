@@ -162,9 +162,11 @@ TEST_CASE("evaluate: what no other operand touches comes back as it went in") {
     const Region<3> both = checked_evaluate<3, Rational>(BooleanFunction::union_(2), {plate, far}, options);
     CHECK(counts.faces_whole == plate.face_count() + 6);
     CHECK(counts.faces_merged == 0);
-    CHECK(counts.facets > plate.face_count() + 6);  // faces that are not convex are cut, and put together again
     const ExactRegion<3> after(both);
     for (std::size_t f = 0; f < plate.face_count(); ++f) CHECK(loops(after, f) == loops(before, f));
+    (void)evaluate<3, Rational>(Engine::boundary_filter, BooleanFunction::union_(2), std::vector{plate, far}, options);
+    CHECK(counts.facets > plate.face_count() + 6);  // faces that are not convex are cut, and put together again
+    CHECK(counts.faces_whole == plate.face_count() + 6);
     const Region<3> mould = checked_evaluate<3, Rational>(BooleanFunction::difference(2), {around, plate}, options);
     CHECK(counts.faces_whole == plate.face_count() + 6);  // of this operation alone
     const ExactRegion<3> inside(mould);
@@ -182,9 +184,14 @@ TEST_CASE("evaluate: counts of what was done") {
     options.counts = &counts;
     const std::vector<Region<3>> cubes{cube(0, 3), cube(1, 4), cube(2, 5)};
     const Region<3> r = checked_evaluate<3, Rational>(BooleanFunction::union_(3), cubes, options);
-    CHECK(counts.facets == 18);
+    CHECK(counts.face_pairs > 0);
+    CHECK(counts.faces_crossed == 12);
     CHECK(counts.faces_whole == 6);
     CHECK(counts.faces_whole + counts.faces_merged == r.face_count());
+    CHECK(counts.facets == 0);
+    (void)evaluate<3, Rational>(Engine::boundary_filter, BooleanFunction::union_(3), cubes, options);
+    CHECK(counts.facets == 18);
+    CHECK(counts.face_pairs == 0);
     CHECK(counts.kernel.sides > 0);
     CHECK(counts.kernel.sides >= counts.kernel.by_identity + counts.kernel.filter_failures);
     CHECK(counts.trees.nodes > 0);
