@@ -97,7 +97,10 @@ MUTANTS = {
         "setop/segment_noding.hpp", "return a.operand[1 - a_slot] != b.operand[1 - b_slot] ||", "return",
         "unit/setop/several_operands.cpp"),
     "pieces: a ridge tells about what runs in the plane of its face": (
-        "setop/surface_cutter.hpp", "if (inside && (piece.n != no_id || !in_plane))", "if (inside)",
+        "setop/surface_cutter.hpp", "(!in_plane && !is_in_coplanar(j, x))", "!is_in_coplanar(j, x)",
+        "unit/setop/several_operands.cpp"),
+    "pieces: a ridge tells about what runs in a face that it stands on": (
+        "setop/surface_cutter.hpp", "(!in_plane && !is_in_coplanar(j, x))", "!in_plane",
         "unit/setop/several_operands.cpp"),
     "pieces: a label spreads through the cuts of its operand": (
         "setop/surface_cutter.hpp", "known &= ~on_[at];", "", "unit/setop/several_operands.cpp"),
@@ -164,6 +167,13 @@ MUTANTS = {
     "facet winding: ties are not broken along the second axis": (
         "region/facet_winding.hpp", "const bool b_below = compare(view.v, b) != Sign::plus;",
         "const bool b_below = compare(view.v, b) == Sign::minus;", "unit/region/facet_winding.cpp"),
+    "edge buckets: an edge is not told from its opposite": (
+        "mesh/edge_buckets.hpp",
+        "difference[b] += Four(x[b] == (bucket[j] ^ 1U)) - Four(x[b] == bucket[j]);", "",
+        "unit/mesh/edge_buckets.cpp"),
+    "edge buckets: large ones pass for balanced": (
+        "mesh/edge_buckets.hpp", "off |= balanced_by_sorting({bucket, n}) ? 0U : 1U;", "",
+        "unit/mesh/edge_buckets.cpp"),
     "resolve: edges along which a third facet runs do not part surfaces": (
         "region/resolve.hpp", "if (mate_[c] != no_id && !touched_[c] && !is_cut(mate_[c]))", "if (mate_[c] != no_id)",
         "unit/mesh/resolve.cpp"),
@@ -174,6 +184,34 @@ MUTANTS = {
         "unit/mesh/resolve.cpp"),
     "resolve: collinear segments do not count together": (
         "region/resolve_segments.hpp", "step += segments_[g].line == line ? 1 : -1;", "", "unit/region/resolve.cpp"),
+    "resolve segments: a ray from the far side counts what covers its own piece": (
+        "region/resolve_segments.hpp", "== Sign::plus ? above : above - step;", "== Sign::plus ? above : above;",
+        "unit/region/resolve_segments.cpp"),
+    "resolve segments: the middle of a piece is where doubles put it": (
+        "region/resolve_segments.hpp",
+        "if (after != Sign::zero && after == kernel_.compare(int(u), p, piece.to.point)) return p;", "return p;",
+        "unit/region/resolve_segments.cpp"),
+    "resolve segments: winding numbers pass through crossings": (
+        "region/resolve_segments.hpp", "if (j - i == 2 && ends", "if (j - i >= 2 && ends",
+        "unit/region/resolve_segments.cpp"),
+    "plane in words: what faces the other way is not turned": (
+        "geometry/double_plane.hpp", "c[k].negative = c[k].negative != plane.is_flipped;", "",
+        "unit/geometry/double_plane.cpp"),
+    "plane in words: common powers of two stay": (
+        "geometry/double_plane.hpp", "zeros = std::min(zeros, c[k].trailing_zeros() + shift);", "zeros = 0;",
+        "unit/geometry/double_plane.cpp"),
+    "crossings: all faces that an edge crosses are one": (
+        "setop/crossing_table.hpp", "entries_[at].key != key", "entries_[at].key.edge != key.edge",
+        "unit/setop/crossing_table.cpp"),
+    "face pairs: the upper half gets what the lower half meets": (
+        "setop/face_pairs.hpp", "if (!box.box.disjoint(upper.bounds)) copy.push_back(box);",
+        "if (!box.box.disjoint(lower.bounds)) copy.push_back(box);", "unit/setop/face_pairs.cpp"),
+    "face pairs: touching is lying apart": (
+        "setop/face_pairs.hpp", "return signs != 0 && signs != all_plus;",
+        "return (signs & 0b101010U) != signs && (signs & 0b101010U) != 0;", "unit/setop/face_pairs.cpp"),
+    "expression: of an odd number of parts the last one is forgotten": (
+        "setop/expression.hpp", "if (regions.size() % 2 == 1) next.push_back(regions.back());", "",
+        "unit/setop/expression.cpp"),
     "hull: its facets are left in the polar's coordinates": (
         "shape/polar_hull.hpp", "c[std::size_t(D)] -= c[axis] * centre_[axis];", "", "unit/query/representation.cpp"),
 }

@@ -7,11 +7,13 @@
 #include <cleave/version.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <iostream>
 #include <memory>
 #include <set>
 #include <string>
 #include <string_view>
+#include <thread>
 
 namespace {
 
@@ -36,6 +38,9 @@ constexpr const char* examples = R"(Examples:
 
 Files: OFF, OBJ and STL, by their extension; STL is written in its binary form.
 Exit status: 0 done, 1 bad input (nothing is written), 2 bad command line.)";
+
+/// More would be a slip of the keyboard.
+constexpr std::size_t most_threads = 1024;
 
 struct BooleanCommand {
     Operation operation;
@@ -79,6 +84,11 @@ void add_common(CLI::App& command, Options& options) {
     command.add_flag("--strict", options.strict,
                      "Refuse faces without area and faces that are not flat; else the former\n"
                      "are left out, the latter split into triangles, and both are reported");
+    command
+        .add_option("--threads", options.threads,
+                    "How many threads work, 1 to 1024; else as many as the machine offers.\nThe result is the same")
+        ->check(CLI::Range(std::size_t(1), most_threads))
+        ->option_text("N");
     command.add_flag("--quiet", options.quiet, "Print nothing but errors, and the line of --json");
 }
 
@@ -240,6 +250,7 @@ void require_sense(Options& options) {
 
 std::variant<Options, int> parse_command_line(int argc, char** argv) {
     Options options;
+    options.threads = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most_threads);
     CLI::App app(about, "cleave");
     app.formatter(std::make_shared<HelpFormatter>());
     app.get_formatter()->column_width(24);

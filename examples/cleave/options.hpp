@@ -7,6 +7,7 @@
 #include <cleave/mesh/mesh_report.hpp>
 #include <cleave/setop/engines.hpp>
 
+#include <cstddef>
 #include <string>
 #include <variant>
 #include <vector>
@@ -29,6 +30,7 @@ struct Options {
     bool strict = false;
     bool check_crossings = false;
     bool quiet = false;
+    std::size_t threads = 1;  ///< as the command line says, or as many as the machine offers
 
     [[nodiscard]] cleave::Strictness strictness() const {
         return strict ? cleave::Strictness::strict : cleave::Strictness::tolerant;

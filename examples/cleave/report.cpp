@@ -124,7 +124,7 @@ std::string boolean_json(const Options& options, const std::vector<OperandReport
         json["rule"] = options.rule_name;
     else
         json["engine"] = engine_name(options.engine);
-    json["threads"] = 1;
+    json["threads"] = options.threads;
     json["operands"] = operands_json(operands);
     Json& r = json["result"];
     r["vertices"] = result.vertices;

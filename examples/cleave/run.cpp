@@ -2,8 +2,10 @@
 #include "run.hpp"
 
 #include "report.hpp"
+#include "threads.hpp"
 
 #include <cleave/base/error.hpp>
+#include <cleave/execution/executor_ref.hpp>
 #include <cleave/io/mesh_file.hpp>
 #include <cleave/mesh/from_region.hpp>
 #include <cleave/mesh/resolve.hpp>
@@ -17,6 +19,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -54,6 +57,7 @@ struct Context {
     const Options& options;
     Interrupt& interrupt;
     ProgressBar& bar;
+    ExecutorRef executor;
     Seconds seconds;
     std::string notes;  // printed last, so that they do not tear the progress line
 
@@ -84,6 +88,28 @@ Operand<T> read_operand(Context& context, const std::string& file) {
     return operand;
 }
 
+/// All operands, read at once. Of several that cannot be read the first one is told about.
+template <class T>
+std::vector<Operand<T>> read_operands(Context& context) {
+    const std::vector<std::string>& files = context.options.inputs;
+    context.stage("reading " + (files.size() == 1 ? files.front() : std::to_string(files.size()) + " files"));
+    const Stopwatch watch(context.seconds.read);
+    std::vector<Operand<T>> operands(files.size());
+    std::vector<std::exception_ptr> errors(files.size());
+    context.executor.for_each_index(files.size(), [&](std::size_t i) {
+        try {
+            if (context.interrupt.token().stop_requested()) throw Cancelled();
+            operands[i].file = files[i];
+            operands[i].mesh = read_mesh<T>(files[i], &operands[i].origin);
+        } catch (...) {
+            errors[i] = std::current_exception();
+        }
+    });
+    for (const std::exception_ptr& error : errors)
+        if (error) std::rethrow_exception(error);
+    return operands;
+}
+
 /// Frees the mesh.
 template <class T>
 Solid prepare(Context& context, Operand<T>& operand) {
@@ -99,6 +125,7 @@ Solid prepare(Context& context, Operand<T>& operand) {
         settings.report = &report;
         settings.check_self_intersections = context.options.check_crossings;
         settings.progress = &progress;
+        settings.executor = context.executor;
         try {
             solid = to_region(operand.mesh, settings);
         } catch (const NumberError& error) {
@@ -147,17 +174,18 @@ Expression<3> expression_of(const Options& options, const std::vector<Solid>& op
     return sum;
 }
 
-Solid operate(const Options& options, const std::vector<Solid>& operands, ProgressReporter& progress) {
+Solid operate(const Context& context, const std::vector<Solid>& operands, ProgressReporter& progress) {
     OperationOptions settings;
     settings.progress = &progress;
-    return evaluate(options.engine, expression_of(options, operands), settings);
+    settings.executor = context.executor;
+    return evaluate(context.options.engine, expression_of(context.options, operands), settings);
 }
 
-ExportedMesh<double> export_mesh(const Solid& solid, double) {
-    return to_exported_mesh(solid);
+ExportedMesh<double> export_mesh(const Solid& solid, const ToMeshOptions& settings, double) {
+    return to_exported_mesh(solid, settings);
 }
-ExportedMesh<Rational> export_mesh(const Solid& solid, const Rational&) {
-    return to_exported_rational_mesh(solid);
+ExportedMesh<Rational> export_mesh(const Solid& solid, const ToMeshOptions& settings, const Rational&) {
+    return to_exported_rational_mesh(solid, settings);
 }
 
 /// Points of the triangles in an STL file, as its reader sees them: those that differ in single precision.
@@ -195,7 +223,7 @@ int deliver(Context& context, const Solid& solid, std::vector<OperandReport>& re
     ExportedMesh<T> exported;
     {
         const Stopwatch watch(context.seconds.export_);
-        exported = export_mesh(solid, T());
+        exported = export_mesh(solid, {context.executor}, T());
     }
     context.notes += rounding_text(options.output, exported.rounding);
 
@@ -233,8 +261,7 @@ template <class T>
 int run_boolean(Context& context) {
     const Options& options = context.options;
     require_writable(options.output);
-    std::vector<Operand<T>> operands;
-    for (const std::string& file : options.inputs) operands.push_back(read_operand<T>(context, file));
+    std::vector<Operand<T>> operands = read_operands<T>(context);
     std::vector<OperandReport> reports;
     std::vector<Solid> solids;
     for (Operand<T>& operand : operands) {
@@ -249,7 +276,7 @@ int run_boolean(Context& context) {
     Solid solid;
     {
         const Stopwatch watch(context.seconds.operate);
-        solid = operate(options, solids, progress);
+        solid = operate(context, solids, progress);
     }
     return deliver<T>(context, solid, reports, [&] {
         for (std::size_t i = 0; i < solids.size(); ++i) {
@@ -277,7 +304,8 @@ int run_resolve(Context& context) {
     {
         const Stopwatch watch(context.seconds.operate);
         try {
-            solid = resolve(operand.mesh, options.rule, {options.strictness(), &operand.origin, &report, &progress});
+            solid = resolve(operand.mesh, options.rule,
+                            {options.strictness(), &operand.origin, &report, &progress, context.executor});
         } catch (const NumberError& error) {
             throw FileError(operand.file, 0, error.what());
         }
@@ -312,7 +340,7 @@ int run_check(Context& context) {
     const std::string& file = options.inputs.front();
     const Operand<T> operand = read_operand<T>(context, file);
     context.stage("checking " + file);
-    MeshReport report = validate(operand.mesh);
+    MeshReport report = validate(operand.mesh, context.executor);
     const std::string oddities = explain(report, operand.mesh, &operand.origin);
     ProgressReporter progress(context.bar.callback(), context.interrupt.token());
     ToRegionOptions settings;
@@ -320,6 +348,7 @@ int run_check(Context& context) {
     settings.origin = &operand.origin;
     settings.check_self_intersections = options.check_crossings;
     settings.progress = &progress;
+    settings.executor = context.executor;
     std::optional<std::size_t> crossings;
     std::string message;
     try {
@@ -365,6 +394,7 @@ int run_as(Context& context) {
 }  // namespace
 
 int run(const Options& options, Interrupt& interrupt, ProgressBar& bar) {
-    Context context{options, interrupt, bar, {}, {}};
+    const Threads threads(options.threads);
+    Context context{options, interrupt, bar, threads.executor(), {}, {}};
     return options.rational ? run_as<Rational>(context) : run_as<double>(context);
 }

@@ -3,7 +3,10 @@
 #ifndef CLEAVE_EXECUTION_HPP
 #define CLEAVE_EXECUTION_HPP
 
+#include <cleave/execution/chunks.hpp>
 #include <cleave/execution/executor.hpp>
+#include <cleave/execution/executor_ref.hpp>
 #include <cleave/execution/progress.hpp>
+#include <cleave/execution/thread_pool.hpp>
 
 #endif

@@ -59,7 +59,7 @@
 
 // What is there for meshes of each coordinate type.
 #define CLEAVE_EXTERN_MESHES(T)                                                                                       \
-    CLEAVE_EXTERN template MeshReport validate<T>(const PolygonMesh<T>&);                                             \
+    CLEAVE_EXTERN template MeshReport validate<T>(const PolygonMesh<T>&, ExecutorRef);                                \
     CLEAVE_EXTERN template MeshReport require_valid<T>(const PolygonMesh<T>&, Strictness, const MeshOrigin*);         \
     CLEAVE_EXTERN template PolygonMesh<T> weld<T>(const PolygonMesh<T>&);                                             \
     CLEAVE_EXTERN template Region<3> to_region<Rational, T>(const PolygonMesh<T>&, const ToRegionOptions&);           \
@@ -91,8 +91,9 @@ CLEAVE_EXTERN template Region<2> disc<Rational>(const std::array<Rational, 2>&, 
 CLEAVE_EXTERN template Region<3> sphere<Rational>(const std::array<Rational, 3>&, const Rational&,
                                                   const SphereOptions&);
 CLEAVE_EXTERN template Region<3> prism<Rational>(const Region<2>&, const Rational&, const Rational&);
-CLEAVE_EXTERN template ExportedMesh<double> to_exported_mesh<Rational>(const Region<3>&);
-CLEAVE_EXTERN template ExportedMesh<Rational> to_exported_rational_mesh<Rational>(const Region<3>&);
+CLEAVE_EXTERN template ExportedMesh<double> to_exported_mesh<Rational>(const Region<3>&, const ToMeshOptions&);
+CLEAVE_EXTERN template ExportedMesh<Rational> to_exported_rational_mesh<Rational>(const Region<3>&,
+                                                                                  const ToMeshOptions&);
 CLEAVE_EXTERN template Connectivity connectivity<Rational>(const Region<3>&);
 CLEAVE_EXTERN template std::vector<Region<3>> components<Rational>(const Region<3>&);
 

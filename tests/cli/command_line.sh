@@ -12,6 +12,10 @@ expect_usage_error "two operands or more, found 1" union a.off -o out.off
 expect_usage_error "-o OUT" union a.off b.off
 expect_usage_error "--engine" union a.off b.off -o out.off --engine magic
 expect_usage_error "--frobnicate" union a.off b.off -o out.off --frobnicate
+for nonsense in 0 -1 two 1.5 1025 99999999999999999999; do
+    expect_usage_error "--threads" union a.off b.off -o out.off --threads "$nonsense"
+    expect_usage_error "--threads" check a.off --threads "$nonsense"
+done
 expect_usage_error "STL cannot hold" union a.off b.off -o out.stl --rational
 expect_usage_error "which file" info
 expect_usage_error "one file" check
@@ -24,10 +28,10 @@ expect_status 0
 expect_equal "the error stream" "$err" ""
 expect_in "the help" "$out" "union" "intersection" "difference" "symmetric-difference" "xor" "eval" "info" "check" \
     "Examples:" "Exit status"
-for subcommand in union intersection difference symmetric-difference xor eval info check; do
+for subcommand in union intersection difference symmetric-difference xor eval resolve info check; do
     run "$subcommand" --help
     expect_status 0
-    expect_in "the help" "$out" "Usage: cleave" "--json" "--rational" "--strict" "--quiet" "Example:"
+    expect_in "the help" "$out" "Usage: cleave" "--json" "--rational" "--strict" "--threads N" "--quiet" "Example:"
 done
 run --version
 expect_status 0

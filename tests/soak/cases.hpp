@@ -99,6 +99,15 @@ inline void self_touching_case(Dice& dice, Checker& checker) {
     if (one_in(dice, 3)) checker.many<3>({a, b, grid_part<3>(dice)});
 }
 
+/// Shells of one operand that touch each other uncut.
+inline void bundles_case(Dice& dice, Checker& checker) {
+    const Region<3> a = bundle(dice);
+    Region<3> b = bundle(dice);
+    if (one_in(dice, 4)) b = touching(dice, a);
+    checker.four_operations(a, b);
+    if (one_in(dice, 2)) checker.many<3>({a, b, one_in(dice, 2) ? bundle(dice) : grid_part<3>(dice)});
+}
+
 /// Each result is an operand of the next operation.
 inline void chain_case(Dice& dice, Checker& checker) {
     Region<3> sum = anything(dice);
@@ -182,7 +191,7 @@ struct Kind {
     void (*run)(Dice&, Checker&);
 };
 
-inline constexpr std::array<Kind, 13> all_kinds = {{
+inline constexpr std::array<Kind, 14> all_kinds = {{
     {"grid", "boxes and simplices at small integers", grid_case},
     {"moved", "the same, one operand rotated, scaled, sheared, mirrored", moved_case},
     {"nearly", "a solid and itself, moved by next to nothing", nearly_case},
@@ -191,6 +200,7 @@ inline constexpr std::array<Kind, 13> all_kinds = {{
     {"identical", "the same set twice, in whole or in part", identical_case},
     {"nested", "cavities, holes and slots", nested_case},
     {"self", "operands that touch themselves", self_touching_case},
+    {"bundles", "shells of one operand that touch each other", bundles_case},
     {"chain", "each result is the next operand", chain_case},
     {"many", "functions of three to eight operands", many_case},
     {"outside", "complements", complement_case},

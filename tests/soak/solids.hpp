@@ -191,6 +191,50 @@ namespace soak {
     return sum.is_empty() ? wedges(dice) : sum;
 }
 
+/// Boxes, wedges and cavities that may have points, edges and faces in the plane z = 2, as shells of one mesh: cut
+/// nowhere, also where one touches another.
+[[nodiscard]] inline Region<3> bundle(Dice& dice) {
+    cleave::Mesh all;
+    Region<3> set;
+    for (int n = dice.between(2, 6); n > 0; --n) {
+        Region<3> part;
+        const int side = dice.below(4);  // 0: beneath the plane
+        if (n > 1 && set.is_empty()) {
+            part = cleave::box<3>({dice.between(0, 2), dice.between(0, 2), 0},
+                                  {dice.between(3, 5), dice.between(3, 5), 2});
+        } else {
+            std::vector<Coordinates<3>> points = grid_points<3>(dice, dice.between(2, 4), 0, 5);
+            const int level = dice.below(2);
+            for (std::size_t k = 0; k < points.size(); ++k) {
+                Rational& z = points[k][2];
+                if (k < std::size_t(level))
+                    z = 2;
+                else
+                    z = side == 0 ? dice.between(0, 1) : dice.between(3, 5);
+            }
+            points.push_back({dice.between(0, 5), dice.between(0, 5), 2});
+            part = cleave::convex_hull<3>(points);
+        }
+        if (part.is_empty()) continue;
+        const bool is_cavity = !cleave::apply(Operation::intersection, set, part).is_empty();
+        if (is_cavity && !cleave::apply(Operation::difference, part, set).is_empty()) continue;
+        const cleave::Mesh shell = cleave::to_mesh(part);
+        cleave::Mesh more = all;
+        const auto base = static_cast<std::uint32_t>(more.points.size());
+        more.points.insert(more.points.end(), shell.points.begin(), shell.points.end());
+        for (std::size_t f = 0; f < shell.face_count(); ++f) {
+            std::vector<std::uint32_t> corners;
+            for (const std::uint32_t c : shell.face(f)) corners.push_back(base + c);
+            if (is_cavity) std::reverse(corners.begin(), corners.end());
+            more.add_face(corners);
+        }
+        if (!cleave::find_self_intersections(more).empty()) continue;  // faces of the two are a wall without thickness
+        all = more;
+        set = cleave::apply(is_cavity ? Operation::difference : Operation::union_, set, part);
+    }
+    return set.is_empty() ? bundle(dice) : cleave::to_region(all);
+}
+
 /// A set that touches itself: along edges and in vertices where parts overlap, from inside where a cavity reaches the
 /// surface, or in a corner that two copies have in common.
 [[nodiscard]] inline Region<3> self_touching(Dice& dice) {

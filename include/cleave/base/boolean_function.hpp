@@ -9,6 +9,7 @@
 #include <cleave/base/contract.hpp>
 #include <cleave/base/operation.hpp>
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -23,8 +24,9 @@ CLEAVE_BEGIN_NAMESPACE
 /// Built from operands, counts and parities of sets of operands, and combined by `| & - ^ ~`:
 /// `BooleanFunction::operand(0, 3) - BooleanFunction::operand(1, 3)`.
 ///
-/// Kept as a program in postfix order; up to six operands the 64-bit truth table is computed as well, and evaluation
-/// is one shift.
+/// Kept as a program in postfix order. Up to six operands the 64-bit truth table is computed as well, and evaluation is
+/// one shift; beyond, unions, intersections and differences are one comparison of masks, and other programs run on a
+/// stack of bits in one word.
 class BooleanFunction {
 public:
     /// Bit i says whether the point belongs to operand i. Bits from arity() on are ignored.
@@ -83,7 +85,8 @@ public:
     /// The value at a point that belongs to exactly the operands in `bits`.
     [[nodiscard]] bool operator()(Bits bits) const {
         if (arity_ <= table_arity) return ((table_ >> (bits & mask(arity_))) & 1) != 0;
-        return run(bits, ~Bits(0)).low;
+        if (match_) return ((bits & match_->of) == match_->value) != match_->negated;
+        return depth_ <= word_depth ? run_in_word(bits) : run(bits, ~Bits(0)).low;
     }
 
     /// The value that the function has for every choice of the bits outside `known`, or nullopt if none is certain.
@@ -135,12 +138,85 @@ private:
         friend Partial operator^(Partial a, Partial b) { return (a & !b) | ((!a) & b); }
     };
 
+    /// The bits `of` are those of `value`; negated: they are not. With no bits, true and false.
+    struct Match {
+        Bits of;
+        Bits value;
+        bool negated;
+
+        friend Match operator!(Match a) { return {a.of, a.value, !a.negated}; }
+        /// Both, where that is a match again.
+        friend std::optional<Match> operator&(Match a, Match b) {
+            if (a.of == 0) return a.negated ? a : b;
+            if (b.of == 0) return b.negated ? b : a;
+            for (Match* m : {&a, &b})
+                if (m->negated && std::has_single_bit(m->of)) *m = {m->of, m->value ^ m->of, false};
+            if (a.negated || b.negated) return std::nullopt;
+            if (((a.value ^ b.value) & a.of & b.of) != 0) return Match{0, 0, true};
+            return Match{a.of | b.of, a.value | b.value, false};
+        }
+    };
+
     static constexpr unsigned table_arity = 6;
+    static constexpr std::size_t word_depth = 64;
 
     BooleanFunction(unsigned arity, std::vector<Step> steps) : arity_(arity), steps_(std::move(steps)) {
         CLEAVE_REQUIRES(arity <= max_arity);
-        if (arity_ > table_arity) return;
+        find_depth();
+        if (arity_ > table_arity) {
+            match_ = match();
+            return;
+        }
         for (Bits bits = 0; bits < (Bits(1) << arity_); ++bits) table_ |= Bits(run(bits, ~Bits(0)).low) << bits;
+    }
+
+    /// How many values the program has at once.
+    void find_depth() {
+        std::size_t depth = 0;
+        for (const Step& step : steps_) {
+            if (is_count(step)) depth_ = std::max(depth_, ++depth);
+            if (step.kind == Kind::or_ || step.kind == Kind::and_ || step.kind == Kind::xor_) --depth;
+        }
+    }
+
+    /// The program as one match, if each of its steps gives one.
+    [[nodiscard]] std::optional<Match> match() const {
+        std::vector<Match> stack;
+        for (const Step& step : steps_) {
+            std::optional<Match> m;
+            if (is_count(step)) {
+                m = match_of(step);
+            } else if (step.kind == Kind::not_) {
+                m = !stack.back();
+                stack.pop_back();
+            } else {
+                const Match b = stack.back();
+                stack.pop_back();
+                const Match a = stack.back();
+                stack.pop_back();
+                if (step.kind == Kind::and_) m = a & b;
+                if (step.kind == Kind::or_) m = (!a) & (!b);
+                if (step.kind == Kind::or_ && m) m = !*m;
+            }
+            if (!m) return std::nullopt;
+            stack.push_back(*m);
+        }
+        return stack.back();
+    }
+
+    [[nodiscard]] static std::optional<Match> match_of(const Step& step) {
+        const auto size = static_cast<unsigned>(std::popcount(step.operands));
+        if (step.kind == Kind::parity) return std::nullopt;
+        if (step.threshold == 0) return Match{0, 0, false};
+        if (step.threshold > size) return Match{0, 0, true};
+        if (step.threshold == size) return Match{step.operands, step.operands, false};
+        if (step.threshold == 1) return Match{step.operands, 0, true};
+        return std::nullopt;
+    }
+
+    /// Whether a step pushes a value.
+    [[nodiscard]] static bool is_count(const Step& step) noexcept {
+        return step.kind == Kind::at_least || step.kind == Kind::parity;
     }
 
     [[nodiscard]] static constexpr Bits mask(unsigned arity) noexcept {
@@ -164,12 +240,33 @@ private:
         return BooleanFunction(f.arity_, std::move(steps));
     }
 
+    /// Runs the program on a stack of bits. Requires: its depth is at most `word_depth`.
+    [[nodiscard]] bool run_in_word(Bits bits) const noexcept {
+        Bits stack = 0;  // the lowest bit is the top
+        for (const Step& step : steps_) {
+            if (is_count(step)) {
+                stack = stack << 1U | Bits(count(step, bits, ~Bits(0)).low);
+                continue;
+            }
+            if (step.kind == Kind::not_) {
+                stack ^= 1U;
+                continue;
+            }
+            const Bits top = stack & 1U;
+            stack >>= 1U;
+            stack = step.kind == Kind::or_    ? stack | top
+                    : step.kind == Kind::and_ ? stack & (~Bits(1) | top)
+                                              : stack ^ top;
+        }
+        return (stack & 1U) != 0;
+    }
+
     /// Runs the program, with the bits outside `known` unknown.
     [[nodiscard]] Partial run(Bits bits, Bits known) const {
         std::vector<Partial> stack;
-        stack.reserve(steps_.size());
+        stack.reserve(depth_);
         for (const Step& step : steps_) {
-            if (step.kind == Kind::at_least || step.kind == Kind::parity) {
+            if (is_count(step)) {
                 stack.push_back(count(step, bits, known));
                 continue;
             }
@@ -198,7 +295,9 @@ private:
 
     unsigned arity_;
     std::vector<Step> steps_;
-    Bits table_ = 0;  // bit b is the value at bits b, for arity <= table_arity
+    Bits table_ = 0;              // bit b is the value at bits b, for arity <= table_arity
+    std::optional<Match> match_;  // beyond
+    std::size_t depth_ = 0;
 };
 
 CLEAVE_END_NAMESPACE

@@ -21,9 +21,17 @@ struct Bounds {
 
     /// Whether the closed boxes have no common point.
     [[nodiscard]] bool disjoint(const Bounds& other) const noexcept {
+        bool apart = false;  // without branches: what is asked for many boxes in a row is hard to predict
         for (std::size_t i = 0; i < D; ++i)
-            if (hi[i] < other.lo[i] || other.hi[i] < lo[i]) return true;
-        return false;
+            apart = bool(int(apart) | int(hi[i] < other.lo[i]) | int(other.hi[i] < lo[i]));
+        return apart;
+    }
+
+    /// Whether all of the other box lies in this one.
+    [[nodiscard]] bool contains(const Bounds& other) const noexcept {
+        for (std::size_t i = 0; i < D; ++i)
+            if (!(lo[i] <= other.lo[i] && other.hi[i] <= hi[i])) return false;
+        return true;
     }
 
     [[nodiscard]] double extent(int axis) const noexcept { return hi[std::size_t(axis)] - lo[std::size_t(axis)]; }

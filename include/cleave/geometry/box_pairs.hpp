@@ -21,67 +21,113 @@ struct NamedBox {
     std::uint32_t name = 0;
 };
 
+/// Named boxes and a box around them all.
+template <int D>
+struct BoxGroup {
+    std::span<NamedBox<D>> boxes;
+    Bounds<D> bounds;
+
+    explicit BoxGroup(std::span<NamedBox<D>> all) : boxes(all) {
+        for (const NamedBox<D>& b : all) bounds.include(b.box);
+    }
+
+    /// Keeps those that meet `other`; the rest stays behind them in memory. Returns: whether any does.
+    bool keep_meeting(const Bounds<D>& other) {
+        if (!other.contains(bounds)) {
+            std::size_t kept = 0;
+            bounds = {};
+            for (std::size_t i = 0; i < boxes.size(); ++i) {
+                if (boxes[i].box.disjoint(other)) continue;
+                if (kept != i) std::swap(boxes[kept], boxes[i]);
+                bounds.include(boxes[kept++].box);
+            }
+            boxes = boxes.first(kept);
+        }
+        return !boxes.empty();
+    }
+
+    /// Two halves: at the middle of the longest side, or where nearly all boxes are on one side of that, at the median
+    /// of the centres.
+    [[nodiscard]] std::pair<BoxGroup, BoxGroup> split() const {
+        std::size_t x = 0;
+        for (int i = 1; i < D; ++i)
+            if (bounds.extent(i) > bounds.extent(int(x))) x = std::size_t(i);
+        const double middle = bounds.lo[x] / 2 + bounds.hi[x] / 2;
+        std::pair<BoxGroup, BoxGroup> halves{BoxGroup({}), BoxGroup({})};
+        std::size_t lower = 0;
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            if (centre(boxes[i], x) < middle) {
+                halves.first.bounds.include(boxes[i].box);
+                std::swap(boxes[lower++], boxes[i]);
+            } else {
+                halves.second.bounds.include(boxes[i].box);
+            }
+        }
+        if (lower < boxes.size() / 8 || boxes.size() - lower < boxes.size() / 8 || lower == 0 ||
+            lower == boxes.size()) {
+            lower = boxes.size() / 2;
+            std::nth_element(boxes.begin(), boxes.begin() + std::ptrdiff_t(lower), boxes.end(),
+                             [x](const NamedBox<D>& p, const NamedBox<D>& q) {
+                                 const double s = centre(p, x);
+                                 const double t = centre(q, x);
+                                 return s < t || (s == t && p.name < q.name);
+                             });
+            return {BoxGroup(boxes.first(lower)), BoxGroup(boxes.subspan(lower))};
+        }
+        halves.first.boxes = boxes.first(lower);
+        halves.second.boxes = boxes.subspan(lower);
+        return halves;
+    }
+
+private:
+    /// Zero where the box has no end on either side, so that centres have an order.
+    static double centre(const NamedBox<D>& b, std::size_t x) {
+        const double c = b.box.lo[x] / 2 + b.box.hi[x] / 2;
+        return c == c ? c : 0;
+    }
+};
+
 /// Calls `visit(a, b)` with the names of every pair of a box of `first` and one of `second` that meet (closed boxes:
 /// touching is meeting), each pair once, in an order that depends on the boxes alone. Reorders both sets.
 ///
-/// Both sets are split together, the larger at the median of its centres, and before each split either set loses what
-/// does not reach the other's box: where the sets hardly overlap, nearly everything goes in the first pass, and no tree
-/// is ever built for it. Cost: O((n + m) log(n + m) + answers) for well-shaped boxes.
-template <int D, class Visit>
-void for_each_meeting_pair(std::span<NamedBox<D>> first, std::span<NamedBox<D>> second, Visit&& visit) {
-    using Boxes = std::span<NamedBox<D>>;
+/// Both sets are split together, the larger first, and before each split either set loses what does not reach the
+/// other's box: where the sets hardly overlap, nearly everything goes in the first pass, and no tree is ever built for
+/// it. `poll(n)` is called before n boxes are looked at; what it throws ends the search.
+/// Cost: O((n + m) log(n + m) + answers) for well-shaped boxes.
+template <int D, class Visit, class Poll>
+void for_each_meeting_pair(std::span<NamedBox<D>> first, std::span<NamedBox<D>> second, Visit&& visit, Poll&& poll) {
+    using Group = BoxGroup<D>;
     constexpr std::size_t few = 8;
-    const auto bounds_of = [](Boxes boxes) {
-        Bounds<D> all;
-        for (const NamedBox<D>& b : boxes) all.include(b.box);
-        return all;
-    };
-    const auto reaching = [](Boxes boxes, const Bounds<D>& other) {
-        const auto end =
-            std::partition(boxes.begin(), boxes.end(), [&](const NamedBox<D>& b) { return !b.box.disjoint(other); });
-        return boxes.first(std::size_t(end - boxes.begin()));
-    };
-    std::vector<std::pair<Boxes, Boxes>> work{{first, second}};
+    std::vector<std::pair<Group, Group>> work{{Group(first), Group(second)}};
     while (!work.empty()) {
         auto [a, b] = work.back();
         work.pop_back();
-        if (a.empty() || b.empty()) continue;
-        Bounds<D> common;
-        if (a.size() > few || b.size() > few) {
-            const Bounds<D> a_box = bounds_of(a);
-            b = reaching(b, a_box);
-            const Bounds<D> b_box = bounds_of(b);
-            a = reaching(a, b_box);
-            if (a.empty() || b.empty()) continue;
-            common = a.size() >= b.size() ? a_box : b_box;
-        }
-        if (a.size() <= few && b.size() <= few) {
-            for (const NamedBox<D>& x : a)
-                for (const NamedBox<D>& y : b)
+        if (a.boxes.size() <= few && b.boxes.size() <= few) {
+            for (const NamedBox<D>& x : a.boxes)
+                for (const NamedBox<D>& y : b.boxes)
                     if (!x.box.disjoint(y.box)) visit(x.name, y.name);
             continue;
         }
-        const bool split_a = a.size() >= b.size();
-        const Boxes larger = split_a ? a : b;
-        int axis = 0;
-        for (int i = 1; i < D; ++i)
-            if (common.extent(i) > common.extent(axis)) axis = i;
-        const auto x = std::size_t(axis);
-        const std::size_t half = larger.size() / 2;
-        std::nth_element(larger.begin(), larger.begin() + std::ptrdiff_t(half), larger.end(),
-                         [x](const NamedBox<D>& p, const NamedBox<D>& q) {
-                             const double s = p.box.lo[x] / 2 + p.box.hi[x] / 2;
-                             const double t = q.box.lo[x] / 2 + q.box.hi[x] / 2;
-                             return s < t || (s == t && p.name < q.name);
-                         });
-        if (split_a) {
-            work.push_back({a.subspan(half), b});
-            work.push_back({a.first(half), b});
+        poll(a.boxes.size() + b.boxes.size());
+        if (!b.keep_meeting(a.bounds) || !a.keep_meeting(b.bounds)) continue;
+        if (a.boxes.size() <= few && b.boxes.size() <= few) {
+            work.push_back({a, b});
+        } else if (a.boxes.size() >= b.boxes.size()) {
+            const auto [lower, upper] = a.split();
+            work.push_back({upper, b});
+            work.push_back({lower, b});
         } else {
-            work.push_back({a, b.subspan(half)});
-            work.push_back({a, b.first(half)});
+            const auto [lower, upper] = b.split();
+            work.push_back({a, upper});
+            work.push_back({a, lower});
         }
     }
+}
+
+/// The same without a poll.
+template <int D, class Visit>
+void for_each_meeting_pair(std::span<NamedBox<D>> first, std::span<NamedBox<D>> second, Visit&& visit) {
+    for_each_meeting_pair<D>(first, second, visit, [](std::size_t) {});
 }
 
 /// The same within one set: calls `visit(a, b)` with the names of every two of `boxes` that meet, each pair once.
@@ -89,32 +135,21 @@ void for_each_meeting_pair(std::span<NamedBox<D>> first, std::span<NamedBox<D>> 
 template <int D, class Visit>
 void for_each_meeting_pair(std::span<NamedBox<D>> boxes, Visit&& visit) {
     constexpr std::size_t few = 8;
-    std::vector<std::span<NamedBox<D>>> work{boxes};
+    std::vector<BoxGroup<D>> work{BoxGroup<D>(boxes)};
     while (!work.empty()) {
-        const std::span<NamedBox<D>> part = work.back();
+        const BoxGroup<D> part = work.back();
         work.pop_back();
-        if (part.size() <= few) {
-            for (std::size_t i = 0; i < part.size(); ++i)
-                for (std::size_t j = i + 1; j < part.size(); ++j)
-                    if (!part[i].box.disjoint(part[j].box)) visit(part[i].name, part[j].name);
+        if (part.boxes.size() <= few) {
+            for (std::size_t i = 0; i < part.boxes.size(); ++i)
+                for (std::size_t j = i + 1; j < part.boxes.size(); ++j)
+                    if (!part.boxes[i].box.disjoint(part.boxes[j].box)) visit(part.boxes[i].name, part.boxes[j].name);
             continue;
         }
-        Bounds<D> all;
-        for (const NamedBox<D>& b : part) all.include(b.box);
-        std::size_t x = 0;
-        for (int i = 1; i < D; ++i)
-            if (all.extent(i) > all.extent(int(x))) x = std::size_t(i);
-        const std::size_t half = part.size() / 2;
-        std::nth_element(part.begin(), part.begin() + std::ptrdiff_t(half), part.end(),
-                         [x](const NamedBox<D>& p, const NamedBox<D>& q) {
-                             const double s = p.box.lo[x] / 2 + p.box.hi[x] / 2;
-                             const double t = q.box.lo[x] / 2 + q.box.hi[x] / 2;
-                             return s < t || (s == t && p.name < q.name);
-                         });
+        const auto [lower, upper] = part.split();
         // Between the halves the other function discards at once what does not reach over the cut.
-        for_each_meeting_pair<D>(part.first(half), part.subspan(half), visit);
-        work.push_back(part.subspan(half));
-        work.push_back(part.first(half));
+        for_each_meeting_pair<D>(lower.boxes, upper.boxes, visit);
+        work.push_back(upper);
+        work.push_back(lower);
     }
 }
 

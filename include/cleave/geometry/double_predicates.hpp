@@ -94,53 +94,75 @@ struct Projection {
                          [&] { return exact_turn(integer_difference(q, p), integer_difference(r, p), projection); });
 }
 
-/// The sign of det(q - p, r - p, s - p) as far as floating point proves it.
+/// The plane through three points of doubles as far as floating point knows it: what `approximate_side` needs of them,
+/// for many points beside one plane.
+struct RoughPlane {
+    std::array<double, 3> origin;     ///< one of the points, exact
+    std::array<double, 3> normal;     ///< their cross product, rounded
+    std::array<double, 3> magnitude;  ///< of each coordinate's two products, which its error is proportional to
+};
+
+[[nodiscard]] inline RoughPlane rough_plane(const std::array<double, 3>& p, const std::array<double, 3>& q,
+                                            const std::array<double, 3>& r) {
+    const double ax = q[0] - p[0], ay = q[1] - p[1], az = q[2] - p[2];
+    const double bx = r[0] - p[0], by = r[1] - p[1], bz = r[2] - p[2];
+    const double x1 = ay * bz, x2 = az * by;
+    const double y1 = az * bx, y2 = ax * bz;
+    const double z1 = ax * by, z2 = ay * bx;
+    return {p,
+            {x1 - x2, y1 - y2, z1 - z2},
+            {std::fabs(x1) + std::fabs(x2), std::fabs(y1) + std::fabs(y2), std::fabs(z1) + std::fabs(z2)}};
+}
+
+/// The sign of det(q - p, r - p, s - p) as far as floating point proves it, `h` being the plane through p, q, r.
 ///
 /// Proof. Each of the three products a (b c - d e) of rounded differences carries three rounded differences, two
 /// rounded products, one rounded subtraction, one more product, and two sums: at most 9 u, to first order, of
 /// |a| (|b c| + |d e|). Products that underflow are off by 2^-1075, times a difference where they are multiplied once
 /// more.
-[[nodiscard]] inline std::optional<Sign> approximate_side(const std::array<double, 3>& p,
-                                                          const std::array<double, 3>& q,
-                                                          const std::array<double, 3>& r,
-                                                          const std::array<double, 3>& s) {
-    const double ax = q[0] - p[0], ay = q[1] - p[1], az = q[2] - p[2];
-    const double bx = r[0] - p[0], by = r[1] - p[1], bz = r[2] - p[2];
-    const double cx = s[0] - p[0], cy = s[1] - p[1], cz = s[2] - p[2];
-    const double x1 = ay * bz, x2 = az * by;
-    const double y1 = az * bx, y2 = ax * bz;
-    const double z1 = ax * by, z2 = ay * bx;
+[[nodiscard]] inline std::optional<Sign> approximate_side(const RoughPlane& h, const std::array<double, 3>& s) {
+    const double cx = s[0] - h.origin[0], cy = s[1] - h.origin[1], cz = s[2] - h.origin[2];
     const double fx = std::fabs(cx), fy = std::fabs(cy), fz = std::fabs(cz);
-    const double det = (x1 - x2) * cx + (y1 - y2) * cy + (z1 - z2) * cz;
-    const double size = (std::fabs(x1) + std::fabs(x2)) * fx + (std::fabs(y1) + std::fabs(y2)) * fy +
-                        (std::fabs(z1) + std::fabs(z2)) * fz;
+    const double det = h.normal[0] * cx + h.normal[1] * cy + h.normal[2] * cz;
+    const double size = h.magnitude[0] * fx + h.magnitude[1] * fy + h.magnitude[2] * fz;
     const double bound = 16 * 0x1p-53 * size + 0x1p-1060 * (1 + fx + fy + fz);
     if (det > bound) return Sign::plus;
     if (-det > bound) return Sign::minus;
     return std::nullopt;
 }
 
+/// The same for a plane that is asked for once.
+[[nodiscard]] inline std::optional<Sign> approximate_side(const std::array<double, 3>& p,
+                                                          const std::array<double, 3>& q,
+                                                          const std::array<double, 3>& r,
+                                                          const std::array<double, 3>& s) {
+    return approximate_side(rough_plane(p, q, r), s);
+}
+
+/// The sign of det(q - p, r - p, s - p), by integers.
+[[nodiscard]] inline Sign exact_side(const std::array<double, 3>& p, const std::array<double, 3>& q,
+                                     const std::array<double, 3>& r, const std::array<double, 3>& s) {
+    for (std::size_t x = 0; x < 3; ++x)  // an axis-parallel face
+        if (p[x] == q[x] && p[x] == r[x] && p[x] == s[x]) return Sign::zero;
+    if (s == p || s == q || s == r) return Sign::zero;
+    const IntegerVector a = integer_difference(q, p);
+    const IntegerVector b = integer_difference(r, p);
+    const IntegerVector c = integer_difference(s, p);
+    WideInteger det, minor;
+    for (std::size_t x = 0; x < 3; ++x) {
+        minor = WideInteger();
+        add_product(minor, a[(x + 1) % 3], b[(x + 2) % 3]);
+        sub_product(minor, a[(x + 2) % 3], b[(x + 1) % 3]);
+        add_product(det, minor, c[x]);
+    }
+    return det.sign();
+}
+
 /// The side of s of the plane through p, q, r: plus where p, q, r are counter-clockwise seen from s; zero where the
 /// four lie on one plane. Requires: finite coordinates. Cost: about 5 ns where the filter decides.
 [[nodiscard]] inline Sign plane_side(const std::array<double, 3>& p, const std::array<double, 3>& q,
                                      const std::array<double, 3>& r, const std::array<double, 3>& s) {
-    return filtered_sign([&] { return approximate_side(p, q, r, s); },
-                         [&] {
-                             for (std::size_t x = 0; x < 3; ++x)  // an axis-parallel face
-                                 if (p[x] == q[x] && p[x] == r[x] && p[x] == s[x]) return Sign::zero;
-                             if (s == p || s == q || s == r) return Sign::zero;
-                             const IntegerVector a = integer_difference(q, p);
-                             const IntegerVector b = integer_difference(r, p);
-                             const IntegerVector c = integer_difference(s, p);
-                             WideInteger det, minor;
-                             for (std::size_t x = 0; x < 3; ++x) {
-                                 minor = WideInteger();
-                                 add_product(minor, a[(x + 1) % 3], b[(x + 2) % 3]);
-                                 sub_product(minor, a[(x + 2) % 3], b[(x + 1) % 3]);
-                                 add_product(det, minor, c[x]);
-                             }
-                             return det.sign();
-                         });
+    return filtered_sign([&] { return approximate_side(p, q, r, s); }, [&] { return exact_side(p, q, r, s); });
 }
 
 CLEAVE_END_NAMESPACE

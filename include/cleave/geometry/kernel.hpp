@@ -8,8 +8,7 @@
 ///
 /// Points at infinity are meets with planes of the *infimaximal frame* (`PlaneTable::frame`), x_i = R and x_i = -R with
 /// R larger than every number: their homogeneous coordinates are a + b R with integers a and b, and a weight without R
-/// [Mehlhorn-Seel-2003]. Every sign is that of the factor of R, or where it is zero of the rest. Filters never decide
-/// about them.
+/// [Mehlhorn-Seel-2003]. Every sign is that of the factor of R, or where it is zero of the rest; no filter decides.
 #ifndef CLEAVE_GEOMETRY_KERNEL_HPP
 #define CLEAVE_GEOMETRY_KERNEL_HPP
 

@@ -63,6 +63,10 @@ public:
         return 2 * intern_canonical(std::move(coefficients)) + orientation;
     }
 
+    /// The same for coefficients that are primitive, the first of the normal's that is not zero being positive.
+    /// Returns: the unoriented number.
+    std::uint32_t intern_primitive(Coefficients&& coefficients) { return intern_canonical(std::move(coefficients)); }
+
     /// Interns plane k of another table. Cost: a hash look-up, and a copy where it is new.
     std::uint32_t intern_from(const PlaneTable& other, std::uint32_t k) {
         if (const int r = other.reach(k); r != 0) return frame(other.axis_of_frame(k), r < 0);

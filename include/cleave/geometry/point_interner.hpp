@@ -35,6 +35,12 @@ public:
         return representative_[p] = named == p ? by_place(p) : representative_[named];
     }
 
+    /// The same for a point that is hardly the second under its planes: its place is looked up at once.
+    PointId by_place_alone(PointId p) {
+        if (p >= representative_.size()) representative_.resize(kernel_->point_count(), no_id);
+        return representative_[p] = by_place(p);
+    }
+
 private:
     struct Entry {
         std::uint64_t hash;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Closedness: do the edges of a mesh cancel out, each against its opposite, or at least along their line?
 ///
-/// Nearly every mesh is balanced edge by edge with its own indices, which one bucket sort decides. Only where it is not
+/// Nearly every mesh is balanced edge by edge with its own indices, which `EdgeBuckets` find out. Only where it is not
 /// are equal points taken as one, and only edges that are unbalanced even then are compared along their lines.
 #ifndef CLEAVE_MESH_EDGE_BALANCE_HPP
 #define CLEAVE_MESH_EDGE_BALANCE_HPP
 
+#include <cleave/execution/chunks.hpp>
+#include <cleave/execution/executor_ref.hpp>
+#include <cleave/mesh/edge_buckets.hpp>
 #include <cleave/mesh/mesh_report.hpp>
 #include <cleave/mesh/point_tests.hpp>
 #include <cleave/mesh/polygon_mesh.hpp>
@@ -47,10 +50,10 @@ void for_each_edge(const PolygonMesh<T>& mesh, Point&& point, F&& f) {
     }
 }
 
-/// The edges used more often in one direction than in the other, sorted. `first_only` stops at the first.
+/// The edges used more often in one direction than in the other, sorted.
 /// Cost: O(corners); a bucket for each point, sorted where a point has many edges.
 template <class T, class Point>
-[[nodiscard]] std::vector<EdgeUse> unbalanced_edges(const PolygonMesh<T>& mesh, Point&& point, bool first_only) {
+[[nodiscard]] std::vector<EdgeUse> unbalanced_edges(const PolygonMesh<T>& mesh, Point&& point) {
     std::vector<std::uint32_t> start(mesh.points.size() + 1, 0);
     for_each_edge(mesh, point, [&](std::uint32_t a, std::uint32_t b, std::uint32_t) { ++start[std::min(a, b) + 1]; });
     for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
@@ -67,9 +70,7 @@ template <class T, class Point>
         for (auto at = begin; at != end;) {
             EdgeUse edge{low, static_cast<std::uint32_t>(*at >> 1), 0, 0};
             for (; at != end && *at >> 1 == edge.high; ++at) ++((*at & 1) == 0 ? edge.up : edge.down);
-            if (edge.up == edge.down) continue;
-            result.push_back(edge);
-            if (first_only) return result;
+            if (edge.up != edge.down) result.push_back(edge);
         }
     }
     return result;
@@ -207,15 +208,23 @@ private:
 
 }  // namespace detail
 
+/// Whether edges cancel out, each against opposite ones, with the mesh's own indices.
+[[nodiscard]] inline bool are_edges_balanced(const EdgeBuckets& buckets, std::size_t point_count,
+                                             ExecutorRef executor) {
+    constexpr std::size_t grain = std::size_t(1) << 13U;
+    return reduce_chunks(
+        executor, point_count, grain, true,
+        [&](std::size_t begin, std::size_t end) { return buckets.balanced(begin, end); },
+        [](bool a, bool b) { return a && b; });
+}
+
 /// Fills the report's lists of edges. Requires: finite points, and every corner refers to one.
-/// Cost: O(n) for a closed mesh; some microseconds for each edge that is not balanced by itself.
+/// Cost: O(n); some microseconds for each edge that is not balanced by itself.
 template <class T>
-void check_edges(const PolygonMesh<T>& mesh, MeshReport& report) {
-    const auto as_given = [](std::uint32_t corner) { return corner; };
-    if (detail::unbalanced_edges(mesh, as_given, true).empty()) return;
+void check_welded_edges(const PolygonMesh<T>& mesh, MeshReport& report) {
     const std::vector<std::uint32_t> first_equal = first_equal_points<T>(mesh.points);
     const auto welded = [&](std::uint32_t corner) { return first_equal[corner]; };
-    const std::vector<detail::EdgeUse> edges = detail::unbalanced_edges(mesh, welded, false);
+    const std::vector<detail::EdgeUse> edges = detail::unbalanced_edges(mesh, welded);
     if (edges.empty()) return;
     const std::vector<bool> cancelled = detail::LineBalance<T>(mesh).cancelled(edges);
 
@@ -250,6 +259,14 @@ void check_edges(const PolygonMesh<T>& mesh, MeshReport& report) {
     for (auto* list : {&report.t_junctions, &report.open_edges, &report.misoriented_edges, &report.unbalanced_edges}) {
         std::sort(list->begin(), list->end(), order);
     }
+}
+
+/// The same. Cost: less for a mesh whose edges are balanced with its own indices.
+template <class T>
+void check_edges(const PolygonMesh<T>& mesh, MeshReport& report) {
+    EdgeBuckets buckets;
+    if (buckets.gather(mesh) && are_edges_balanced(buckets, mesh.points.size(), {})) return;
+    check_welded_edges(mesh, report);
 }
 
 CLEAVE_END_NAMESPACE

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -35,18 +36,20 @@ inline void fan(std::span<const std::uint32_t> face, std::vector<IndexTriangle>&
     for (std::size_t i = 1; i + 1 < n; ++i) out.push_back({face[s], face[(s + i) % n], face[(s + i + 1) % n]});
 }
 
-/// Decides the shapes of the faces of one mesh. Keeps buffers: not for two threads at once.
+/// Decides the shapes of the faces of one mesh. Keeps buffers: not for two threads at once, but each may have a copy;
+/// what is known of the points is shared by copies.
 template <class T>
 class FaceShapes {
 public:
     /// Requires: `points` outlives this object and is finite.
-    explicit FaceShapes(std::span<const std::array<T, 3>> points) : points_(points), tests_(points) {}
+    explicit FaceShapes(std::span<const std::array<T, 3>> points)
+        : points_(points), tests_(std::make_shared<const PointTests<T>>(points)) {}
 
     /// The shape of a face. A flat face's triangles are appended to `out` where it is given; nothing for other shapes.
     /// Requires: all corners refer to points.
     /// Cost: 10 ns for a triangle of doubles; an exact coplanarity test a corner and a triangulation for larger faces.
     [[nodiscard]] FaceShape shape(std::span<const std::uint32_t> face, std::vector<IndexTriangle>* out = nullptr) {
-        if (face.size() == 3 && !tests_.collinear(face[0], face[1], face[2])) {
+        if (face.size() == 3 && !tests_->collinear(face[0], face[1], face[2])) {
             if (out != nullptr) out->push_back({face[0], face[1], face[2]});
             return FaceShape::flat;
         }
@@ -55,18 +58,18 @@ public:
         const auto unlike = std::find_if(face.begin(), face.end(), [&](std::uint32_t c) { return !equal(c, face[0]); });
         if (unlike == face.end()) return FaceShape::too_few_corners;
         const auto off =
-            std::find_if(unlike, face.end(), [&](std::uint32_t c) { return !tests_.collinear(face[0], *unlike, c); });
+            std::find_if(unlike, face.end(), [&](std::uint32_t c) { return !tests_->collinear(face[0], *unlike, c); });
         if (off == face.end()) {
             const bool third = std::any_of(unlike, face.end(),
                                            [&](std::uint32_t c) { return !equal(c, face[0]) && !equal(c, *unlike); });
             return third ? FaceShape::zero_area : FaceShape::too_few_corners;
         }
         for (const std::uint32_t c : face) {
-            if (c != face[0] && c != *unlike && c != *off && tests_.side(face[0], *unlike, *off, c) != Sign::zero) {
+            if (c != face[0] && c != *unlike && c != *off && tests_->side(face[0], *unlike, *off, c) != Sign::zero) {
                 return FaceShape::not_planar;
             }
         }
-        return outline(face, *tests_.projectable_axis(face[0], *unlike, *off), out);
+        return outline(face, *tests_->projectable_axis(face[0], *unlike, *off), out);
     }
 
     /// True where the same point stands twice in a row in a face.
@@ -79,7 +82,7 @@ public:
 
     [[nodiscard]] bool equal(std::uint32_t i, std::uint32_t j) const { return i == j || points_[i] == points_[j]; }
 
-    [[nodiscard]] const PointTests<T>& tests() const noexcept { return tests_; }
+    [[nodiscard]] const PointTests<T>& tests() const noexcept { return *tests_; }
 
 private:
     /// A planar face, seen along an axis that its plane does not contain: is its outline sound?
@@ -89,7 +92,7 @@ private:
         const Projection guess = Projection::along(axis);
         double area = 0;
         for (std::size_t i = 1; i + 1 < face.size(); ++i) {
-            const auto &p = tests_.rounded(face[0]), &q = tests_.rounded(face[i]), &r = tests_.rounded(face[i + 1]);
+            const auto &p = tests_->rounded(face[0]), &q = tests_->rounded(face[i]), &r = tests_->rounded(face[i + 1]);
             area += (q[guess.u] - p[guess.u]) * (r[guess.v] - p[guess.v]) -
                     (q[guess.v] - p[guess.v]) * (r[guess.u] - p[guess.u]);
         }
@@ -99,8 +102,8 @@ private:
             const std::array<std::uint32_t, 2> loop{0, static_cast<std::uint32_t>(face.size())};
             const bool sound = triangulator_.triangulate(
                 face, loop,
-                [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) { return tests_.turn(i, j, k, projection); },
-                [&](std::uint32_t i, std::uint32_t j) { return tests_.less(i, j, projection); }, triangles_);
+                [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) { return tests_->turn(i, j, k, projection); },
+                [&](std::uint32_t i, std::uint32_t j) { return tests_->less(i, j, projection); }, triangles_);
             if (!sound) continue;
             if (triangles_.empty()) return FaceShape::zero_area;  // every edge runs both ways
             if (out != nullptr) out->insert(out->end(), triangles_.begin(), triangles_.end());
@@ -110,7 +113,7 @@ private:
     }
 
     std::span<const std::array<T, 3>> points_;
-    PointTests<T> tests_;
+    std::shared_ptr<const PointTests<T>> tests_;
     Triangulator triangulator_;
     std::vector<IndexTriangle> triangles_;
 };

@@ -39,6 +39,28 @@ template <class T>
     return result;
 }
 
+/// The vector product of two edges of a triangle of doubles, as computed.
+struct TriangleNormal {
+    std::array<double, 3> n;
+    bool is_nonzero;  ///< proven: the corners are not on one line
+};
+
+/// Proof: each component is the turn of the corners along an axis, with the bound of `approximate_turn`.
+[[nodiscard]] inline TriangleNormal triangle_normal(const std::array<double, 3>& p, const std::array<double, 3>& q,
+                                                    const std::array<double, 3>& r) noexcept {
+    const double qx = q[0] - p[0], qy = q[1] - p[1], qz = q[2] - p[2];
+    const double rx = r[0] - p[0], ry = r[1] - p[1], rz = r[2] - p[2];
+    const double x1 = qy * rz, x2 = qz * ry;
+    const double y1 = qz * rx, y2 = qx * rz;
+    const double z1 = qx * ry, z2 = qy * rx;
+    const double x = x1 - x2, y = y1 - y2, z = z1 - z2;
+    const auto is_sure = [](double det, double left, double right) {
+        return std::fabs(det) > 6 * 0x1p-53 * (std::fabs(left) + std::fabs(right)) + 0x1p-1060;
+    };
+    const bool sure = is_sure(x, x1, x2) || is_sure(y, y1, y2) || is_sure(z, z1, z2);
+    return {{x, y, z}, sure && !filtering::always_fails};
+}
+
 /// Exact tests on points given by index. `T` is double or an exact field. The points must outlive this object and be
 /// finite; const member functions may run in several threads.
 template <class T>

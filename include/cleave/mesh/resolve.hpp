@@ -4,6 +4,7 @@
 #define CLEAVE_MESH_RESOLVE_HPP
 
 #include <cleave/base/winding_rule.hpp>
+#include <cleave/execution/executor_ref.hpp>
 #include <cleave/execution/progress.hpp>
 #include <cleave/mesh/mesh_error.hpp>
 #include <cleave/mesh/to_region.hpp>
@@ -24,6 +25,7 @@ struct ResolveOptions {
     const MeshOrigin* origin = nullptr;    ///< for messages that name file and line
     MeshReport* report = nullptr;          ///< receives what validation found, errors or not
     ProgressReporter* progress = nullptr;  ///< told about stages; may cancel, which throws Cancelled
+    ExecutorRef executor{};                ///< where independent work runs; the result is the same for every executor
 };
 
 /// The set of points whose winding number with respect to a mesh the rule takes for inside: how often the mesh runs
@@ -35,7 +37,7 @@ struct ResolveOptions {
 /// Cost: O(n log n) and what crosses, see the `resolve` of boundaries; one exact plane per face.
 template <class N = Rational, class T>
 [[nodiscard]] Region<3, N> resolve(const PolygonMesh<T>& mesh, WindingRule rule, const ResolveOptions& options = {}) {
-    MeshReport report = validate(mesh);
+    MeshReport report = validate(mesh, options.executor);
     if (options.report != nullptr) *options.report = report;
     // The triangles of a fan run around a crossing outline's parts as often as the outline does.
     std::vector<std::uint32_t> split;

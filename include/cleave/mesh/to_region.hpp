@@ -3,9 +3,11 @@
 #ifndef CLEAVE_MESH_TO_REGION_HPP
 #define CLEAVE_MESH_TO_REGION_HPP
 
+#include <cleave/execution/executor_ref.hpp>
 #include <cleave/mesh/mesh_error.hpp>
 #include <cleave/mesh/polygon_mesh.hpp>
 #include <cleave/mesh/self_intersections.hpp>
+#include <cleave/mesh/triangle_boundary.hpp>
 #include <cleave/mesh/validate.hpp>
 #include <cleave/mesh/weld.hpp>
 #include <cleave/region/make.hpp>
@@ -34,6 +36,7 @@ struct ToRegionOptions {
     /// it, what comes of such a mesh is closed but otherwise unspecified.
     bool check_self_intersections = false;
     ProgressReporter* progress = nullptr;  ///< told about that check; may cancel, which throws Cancelled
+    ExecutorRef executor{};                ///< where independent work runs; the result is the same for every executor
 };
 
 namespace detail {
@@ -64,48 +67,6 @@ public:
                 add_polygon(f);
         }
         return freeze(kernel_, builder_.finish(), false, points_);
-    }
-
-    /// The boundary of a mesh of triangles of doubles, as it is: planes are made when something asks for them.
-    /// Requires: edges match from end to end, and every triangle has an area.
-    static Boundary<3> convert_triangles(const PolygonMesh<T>& mesh) requires(std::is_same_v<T, double>) {
-        const std::vector<std::uint32_t> first_equal = first_equal_points<T>(mesh.points);
-        Boundary<3> out;
-        out.is_complete = false;
-        out.is_conforming = true;
-        std::vector<PointId> ids(mesh.points.size(), no_id);
-        out.points.reserve(mesh.points.size());
-        out.faces.faces.reserve(mesh.face_count());
-        out.faces.loop_first.reserve(mesh.face_count() + 1);
-        out.faces.corners.reserve(mesh.corners.size());
-        for (std::uint32_t f = 0; f < mesh.face_count(); ++f) {
-            std::array<Corner, 3> loop;
-            for (std::size_t c = 0; c < 3; ++c) {
-                PointId& p = ids[first_equal[mesh.corners[3 * std::size_t(f) + c]]];
-                if (p == no_id) {
-                    p = static_cast<PointId>(out.points.size());
-                    PointRecord<3>& r = out.points.emplace_back();
-                    r.approximation = mesh.points[mesh.corners[3 * std::size_t(f) + c]];
-                    for (std::size_t x = 0; x < 3; ++x) {
-                        r.approximation[x] += 0.0;  // one zero
-                        out.bounds.lo[x] = std::min(out.bounds.lo[x], r.approximation[x]);
-                        out.bounds.hi[x] = std::max(out.bounds.hi[x], r.approximation[x]);
-                    }
-                }
-                loop[c] = {p, no_id};
-            }
-            out.faces.begin_face(no_id, {0, f});
-            out.faces.add_loop(loop);
-        }
-        return out;
-    }
-
-    /// Whether `convert_triangles` may take the mesh.
-    static bool is_plain(const PolygonMesh<T>& mesh, const MeshReport& report) {
-        if (!std::is_same_v<T, double> || mesh.corners.size() != 3 * mesh.face_count()) return false;
-        for (std::size_t f = 0; f < mesh.face_count(); ++f)
-            if (mesh.first[f + 1] - mesh.first[f] != 3) return false;
-        return report.t_junctions.empty() && report.zero_area_faces.empty() && report.too_few_corners.empty();
     }
 
     Kernel<3>& kernel() { return kernel_; }
@@ -181,59 +142,6 @@ inline bool has_simple_faces(const Boundary<3>& boundary) {
     return true;
 }
 
-/// The sign of the volume that a boundary encloses, by doubles with a bound, then exactly.
-inline Sign enclosed_volume_sign(const Boundary<3>& boundary) {
-    double sum = 0;
-    double magnitude = 0;
-    std::size_t terms = 0;
-    const auto each = [&](auto&& term) {
-        for (std::size_t l = 0; l + 1 < boundary.faces.loop_first.size(); ++l) {
-            const std::span<const Corner> loop = boundary.faces.loop(l);
-            for (std::size_t i = 1; i + 1 < loop.size(); ++i) term(loop[0].point, loop[i].point, loop[i + 1].point);
-        }
-    };
-    bool exact_points = true;
-    each([&](PointId p, PointId q, PointId r) {
-        const auto& a = boundary.points[p].approximation;
-        const auto& b = boundary.points[q].approximation;
-        const auto& c = boundary.points[r].approximation;
-        exact_points = exact_points && boundary.points[p].error == 0 && boundary.points[q].error == 0 &&
-                       boundary.points[r].error == 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double x = b[(i + 1) % 3] * c[(i + 2) % 3];
-            const double y = b[(i + 2) % 3] * c[(i + 1) % 3];
-            sum += a[i] * (x - y);
-            magnitude += std::abs(a[i]) * (std::abs(x) + std::abs(y));
-        }
-        terms += 3;
-    });
-    // n additions and three operations a term: relative error below (n + 4) u of the magnitudes; twice that is safe.
-    const double bound = magnitude * (double(terms) + 8) * 0x1p-52 + 0x1p-900;
-    if (exact_points && sum > bound) return Sign::plus;
-    if (exact_points && -sum > bound) return Sign::minus;
-    Kernel<3> kernel;
-    const LoadedBoundary<3> loaded = load(boundary, kernel);
-    std::vector<Rational> parts;
-    each([&](PointId p, PointId q, PointId r) {
-        const Homogeneous<3> a = kernel.coordinates(loaded.first_point + p);
-        const Homogeneous<3> b = kernel.coordinates(loaded.first_point + q);
-        const Homogeneous<3> c = kernel.coordinates(loaded.first_point + r);
-        WideInteger det;
-        for (std::size_t i = 0; i < 3; ++i) {
-            WideInteger minor(b[(i + 1) % 3] * WideInteger(c[(i + 2) % 3]));
-            sub_product(minor, b[(i + 2) % 3], c[(i + 1) % 3]);
-            add_product(det, a[i], minor);
-        }
-        parts.push_back(number_traits<Rational>::from_fraction(Integer(det), Integer(WideInteger(a[3]) * b[3] * c[3])));
-    });
-    for (std::size_t n = parts.size(); n > 1; n = (n + 1) / 2)  // in pairs, so that denominators grow late
-        for (std::size_t i = 0; i < n / 2; ++i) {
-            Rational s = parts[i] + parts[n - 1 - i];
-            parts[i] = s;
-        }
-    return parts.empty() ? Sign::zero : number_traits<Rational>::sign(parts.front());
-}
-
 }  // namespace detail
 
 /// The solid that a closed, outward-oriented mesh bounds. Coordinates are taken exactly as they are. Every face keeps
@@ -245,31 +153,47 @@ inline Sign enclosed_volume_sign(const Boundary<3>& boundary) {
 /// Cost: O(n log n); one exact plane per face.
 template <class N = Rational, class T>
 [[nodiscard]] Region<3, N> to_region(const PolygonMesh<T>& mesh, const ToRegionOptions& options = {}) {
-    MeshReport report;
+    Boundary<3> boundary;
+    std::optional<Sign> volume;
     if (options.validate) {
-        report = validate(mesh);
+        const ExecutorRef executor = detail::executor_for(mesh, options.executor);
+        detail::MeshValidation<T> validation(mesh, executor);
+        MeshReport report;
+        bool are_distinct = false;
+        executor.invoke([&] { report = validation.run(); },
+                        [&] {
+                            if constexpr (std::is_same_v<T, double>)
+                                are_distinct =
+                                    validation.has_triangles_only() && are_surely_distinct<double>(mesh.points);
+                        });
         if (options.report != nullptr) *options.report = report;
         if (!report.is_valid(options.strictness))
             throw make_mesh_error(std::move(report), mesh, options.strictness, options.origin);
-    }
-    if (options.check_self_intersections) require_no_self_intersections(mesh, options.origin, options.progress);
-    Boundary<3> boundary;
-    bool converted = false;
-    if constexpr (std::is_same_v<T, double>) {
-        if (options.validate && detail::MeshConverter<T>::is_plain(mesh, report)) {
-            boundary = detail::MeshConverter<T>::convert_triangles(mesh);
-            converted = true;
+        if (options.check_self_intersections) require_no_self_intersections(mesh, options.origin, options.progress);
+        const bool conforms =
+            report.t_junctions.empty() && report.zero_area_faces.empty() && report.too_few_corners.empty();
+        bool is_made = false;
+        if constexpr (std::is_same_v<T, double>) {
+            if (conforms && validation.has_triangles_only()) {
+                boundary = validation.is_balanced() && are_distinct
+                               ? detail::triangle_boundary(mesh, validation.used_points(), executor)
+                               : detail::welded_triangle_boundary(mesh, executor);
+                volume = validation.volume_sign();
+                is_made = true;
+            }
         }
-    }
-    if (!converted) {
-        boundary = detail::MeshConverter<T>(mesh).convert(report);
-        boundary.is_conforming = options.validate && report.t_junctions.empty() && report.zero_area_faces.empty() &&
-                                 report.too_few_corners.empty() && detail::has_simple_faces(boundary);
+        if (!is_made) {
+            boundary = detail::MeshConverter<T>(mesh).convert(report);
+            boundary.is_conforming = conforms && detail::has_simple_faces(boundary);
+        }
+    } else {
+        if (options.check_self_intersections) require_no_self_intersections(mesh, options.origin, options.progress);
+        boundary = detail::MeshConverter<T>(mesh).convert({});
     }
     if (!boundary.faces.faces.empty()) {
         const std::string file =
             options.origin == nullptr || options.origin->file.empty() ? std::string() : options.origin->file + ": ";
-        const Sign volume = detail::enclosed_volume_sign(boundary);
+        if (!volume) volume = detail::enclosed_volume_sign(boundary);
         if (volume == Sign::minus)
             throw ShapeError(file +
                              "the mesh is inside out (its volume is negative): reverse the order of the corners " +

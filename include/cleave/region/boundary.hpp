@@ -35,6 +35,13 @@ struct FaceList {
         return {corners.data() + loop_first[l], loop_first[l + 1] - loop_first[l]};
     }
 
+    /// The corners of all loops of face f.
+    [[nodiscard]] std::span<const Corner> corners_of(std::size_t f) const {
+        const Face& face = faces[f];
+        const std::uint32_t first = loop_first[face.first_loop];
+        return {corners.data() + first, loop_first[face.first_loop + face.loop_count] - first};
+    }
+
     void begin_face(PlaneId plane, Source source) {
         faces.push_back({plane, static_cast<std::uint32_t>(loop_first.size() - 1), 0, source});
     }
@@ -44,6 +51,15 @@ struct FaceList {
         corners.insert(corners.end(), loop.begin(), loop.end());
         loop_first.push_back(static_cast<std::uint32_t>(corners.size()));
         ++faces.back().loop_count;
+    }
+
+    /// Adds a triangle without planes, as `Boundary::is_complete` allows them.
+    void add_plain_triangle(PointId p, PointId q, PointId r, Source source) {
+        faces.push_back({no_id, static_cast<std::uint32_t>(loop_first.size() - 1), 1, source});
+        corners.push_back({p, no_id});
+        corners.push_back({q, no_id});
+        corners.push_back({r, no_id});
+        loop_first.push_back(static_cast<std::uint32_t>(corners.size()));
     }
 };
 

@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -87,20 +88,20 @@ public:
         const FaceList::Face& face = b.faces.faces[f];
         if (face.plane != no_id) return known = 2 * table_plane(i, unoriented(face.plane)) + (face.plane & 1U);
         const std::span<const Corner> c = b.faces.loop(face.first_loop);
-        return known = kernel_.planes.intern(
-                   plane_through(position(i, c[0].point), position(i, c[1].point), position(i, c[2].point)));
+        const auto& p = position(i, c[0].point);
+        const auto& q = position(i, c[1].point);
+        const auto& r = position(i, c[2].point);
+        if (std::optional<PrimitivePlane> h = small_plane_through(p, q, r))
+            return known = 2 * kernel_.planes.intern_primitive(std::move(h->coefficients)) + (h->is_flipped ? 1U : 0U);
+        return known = kernel_.planes.intern(plane_through(p, q, r));
     }
 
     /// The side of face f's plane on which a point of some operand lies.
     Sign side(std::uint32_t i, std::uint32_t f, std::uint32_t j, PointId p) {
-        const Boundary<3>& b = boundary(i);
-        const FaceList::Face& face = b.faces.faces[f];
-        if (face.plane == no_id && is_of_doubles(j, p)) {
-            const Corner* c = b.faces.corners.data() + b.faces.loop_first[face.first_loop];
-            return plane_side(b.points[c[0].point].approximation, b.points[c[1].point].approximation,
-                              b.points[c[2].point].approximation, position(j, p));
-        }
-        return kernel_.side(plane(i, f), point(j, p));
+        const FaceList& list = boundary(i).faces;
+        if (list.faces[f].plane != no_id || !is_of_doubles(j, p)) return kernel_.side(plane(i, f), point(j, p));
+        const std::span<const Corner> c = list.corners_of(f);
+        return plane_side(position(i, c[0].point), position(i, c[1].point), position(i, c[2].point), position(j, p));
     }
 
     // --- edges -------------------------------------------------------------------------------------------------------
@@ -110,8 +111,12 @@ public:
         Operand& o = operands_[i];
         const FaceList& list = o.boundary->faces;
         o.uses.clear();
+        o.first_twin.assign(faces.empty() ? 0 : list.faces.size(), no_id);
+        std::uint32_t corners = 0;
         for (const std::uint32_t f : faces) {
             const FaceList::Face& face = list.faces[f];
+            o.first_twin[f] = corners;
+            corners += static_cast<std::uint32_t>(list.corners_of(f).size());
             for (std::uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
                 const std::uint32_t first = list.loop_first[l];
                 const std::uint32_t last = list.loop_first[l + 1];
@@ -122,15 +127,23 @@ public:
             }
         }
         std::sort(o.uses.begin(), o.uses.end());
-        o.beside.assign(o.uses.empty() ? 0 : list.corners.size(), no_id);
+        o.twins.assign(corners, {});
         for (std::size_t n = 0; n + 1 < o.uses.size(); ++n) {
             const Use& a = o.uses[n];
             const Use& b = o.uses[n + 1];
             if (a.ends != b.ends || (n > 0 && o.uses[n - 1].ends == a.ends)) continue;
             if (n + 2 < o.uses.size() && o.uses[n + 2].ends == a.ends) continue;
-            o.beside[a.corner] = b.face;
-            o.beside[b.corner] = a.face;
+            o.twins[o.twin_index(a)] = {b.face, b.corner};
+            o.twins[o.twin_index(b)] = {a.face, a.corner};
         }
+    }
+
+    /// A name of the edge of face f that starts at corner c, which is the same for both faces at it; nullopt where they
+    /// are not known, or more than two. Names of different edges differ.
+    [[nodiscard]] std::optional<std::uint64_t> edge_name(std::uint32_t i, std::uint32_t f, std::uint32_t c) const {
+        const Twin twin = operands_[i].twin({0, f, c});
+        if (twin.corner == no_id) return std::nullopt;
+        return (std::uint64_t(i) << 32U) | std::min(c, twin.corner);
     }
 
     /// A plane other than that of face f through the edge from a to b, which starts at corner c. Not oriented.
@@ -140,8 +153,8 @@ public:
         if (given != no_id) return table_plane(i, unoriented(given));
         const std::uint32_t own = unoriented(plane(i, f));
         std::uint32_t best = no_id;
-        if (c < o.beside.size() && o.beside[c] != no_id) {
-            best = unoriented(plane(i, o.beside[c]));
+        if (const Twin twin = o.twin({0, f, c}); twin.face != no_id) {
+            best = unoriented(plane(i, twin.face));
             if (best != own) return best;
             return unoriented(plane_across(kernel_, plane(i, f), point(i, a), point(i, b)));
         }
@@ -177,6 +190,12 @@ private:
         }
     };
 
+    /// The only other face at an edge, and its corner where the edge starts.
+    struct Twin {
+        std::uint32_t face = no_id;
+        std::uint32_t corner = no_id;
+    };
+
     struct Operand {
         const Boundary<3>* boundary = nullptr;
         std::size_t first_vertex = 0;
@@ -184,7 +203,17 @@ private:
         std::vector<PlaneId> planes;              // of faces
         std::vector<std::uint32_t> table_planes;  // of the boundary's table
         std::vector<Use> uses;                    // of edges without a plane of their own
-        std::vector<std::uint32_t> beside;        // by corner: the only other face at the edge, if it is the only one
+        std::vector<Twin> twins;                  // for each corner of the connected faces
+        std::vector<std::uint32_t> first_twin;    // of each face; `no_id` for those not connected
+
+        [[nodiscard]] std::size_t twin_index(const Use& u) const {
+            const FaceList& list = boundary->faces;
+            return first_twin[u.face] + (u.corner - list.loop_first[list.faces[u.face].first_loop]);
+        }
+        [[nodiscard]] Twin twin(const Use& u) const {
+            if (first_twin.empty() || first_twin[u.face] == no_id) return {};
+            return twins[twin_index(u)];
+        }
     };
 
     static std::uint64_t ends(PointId a, PointId b) {

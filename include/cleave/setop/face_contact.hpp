@@ -5,6 +5,7 @@
 #define CLEAVE_SETOP_FACE_CONTACT_HPP
 
 #include <cleave/region/surface_operands.hpp>
+#include <cleave/setop/crossing_table.hpp>
 
 #include <algorithm>
 #include <array>
@@ -88,7 +89,8 @@ public:
     [[nodiscard]] std::span<const ContactPoint> points() const noexcept { return points_; }
     [[nodiscard]] std::span<const ContactSegment> segments() const noexcept { return segments_; }
 
-    /// On which sides of each other's planes the corners of two faces lie: two bits for each corner of small faces.
+    /// On which sides of each other's planes the corners of two faces lie: for small faces two bits for each corner,
+    /// those of f first, from the lowest bit on: 0 on the minus side, 1 on the plane, 2 on the plus side.
     using PackedSigns = std::uint32_t;
 
     /// Whether the faces can have anything in common, by the planes alone.
@@ -255,12 +257,21 @@ private:
         const FaceOutline::Entry& to = face.entries[from.next];
         const std::uint32_t i = face.operand;
         const FaceOutline& other = &face == &f_ ? g_ : f_;
+        // Both faces at the edge ask for the point.
+        PointId* known = nullptr;
+        if (line_ == no_id)
+            if (const auto edge = operands_->edge_name(i, face.face, from.corner)) {
+                known = &crossings_[{*edge, (std::uint64_t(other.operand) << 32U) | other.face}];
+                if (*known != no_id) return e.point = *known;
+            }
         const PlaneId across = line_ != no_id ? line_ : operands_->plane(other.operand, other.face);
         const PointId x =
             operands_->kernel().cross(across, operands_->point(i, from.point), operands_->point(i, to.point),
                                       {unoriented(operands_->plane(i, face.face)),
                                        operands_->edge_plane(i, face.face, from.corner, from.point, to.point)});
-        return e.point = operands_->interner()(x);
+        if (known == nullptr) return e.point = operands_->interner()(x);
+        // Planes may still name it twice, where faces are coplanar; its place tells.
+        return e.point = *known = operands_->interner().by_place_alone(x);
     }
 
     /// The order of an event of f and one of g along the line: minus where f's comes first.
@@ -388,6 +399,7 @@ private:
     }
 
     SurfaceOperands* operands_;
+    CrossingTable crossings_;
     FaceOutline f_, g_;
     std::vector<Sign> f_signs_, g_signs_;
     std::vector<Event> f_events_, g_events_;

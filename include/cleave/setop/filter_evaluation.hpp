@@ -25,7 +25,7 @@ class FilterEvaluation {
 public:
     FilterEvaluation(std::span<const Boundary<D>* const> operands, const BooleanFunction& function,
                      const OperationOptions& options)
-        : clip_(kernel_), points_(kernel_), merger_(kernel_, points_), options_(&options) {
+        : clip_(kernel_), points_(kernel_), merger_(kernel_, points_), options_(options) {
         operands_.resize(operands.size());
         loads_.resize(operands.size());
         for (std::size_t i = 0; i < operands.size(); ++i) {
@@ -51,7 +51,7 @@ public:
 
     Boundary<D> finish() {
         Boundary<D> result = freeze(kernel_, out_, value_at_infinity_, points_);
-        if (options_->counts != nullptr) options_->counts->kernel = kernel_.counts();
+        if (options_.counts != nullptr) options_.counts->kernel = kernel_.counts();
         return result;
     }
 
@@ -103,7 +103,7 @@ private:
     }
 
     void copy_face(const FaceList::Face& face, bool flip, Source source) {
-        if (options_->counts != nullptr) ++options_->counts->faces_whole;
+        if (options_.counts != nullptr) ++options_.counts->faces_whole;
         const Load& load = loads_[operand_];
         const PlaneId plane = load.loaded.plane(face.plane);
         out_.begin_face(flip ? flipped(plane) : plane, source);
@@ -129,14 +129,14 @@ private:
         }
         if (!any) return;
         merger_.finish(out_, source);
-        if (options_->counts != nullptr) ++options_->counts->faces_merged;
+        if (options_.counts != nullptr) ++options_.counts->faces_merged;
     }
 
     Kernel<D> kernel_;
     KernelClip<D> clip_;
     PointInterner<D> points_;
     FaceMerger<D> merger_;
-    const OperationOptions* options_;
+    OperationOptions options_;
     std::vector<Load> loads_;
     std::vector<FilterOperand<KernelFacet<D>>> operands_;
     bool value_at_infinity_ = false;
@@ -155,7 +155,7 @@ requires(D >= 4) class FilterEvaluation<D> {
 public:
     FilterEvaluation(std::span<const Boundary<D>* const> operands, const BooleanFunction& function,
                      const OperationOptions& options)
-        : clip_(kernel_), points_(kernel_), options_(&options) {
+        : clip_(kernel_), points_(kernel_), options_(options) {
         std::vector<FilterOperand<PolytopeFacet<D>>> facets;
         std::vector<std::vector<std::uint32_t>> face(operands.size());
         for (std::size_t i = 0; i < operands.size(); ++i) {
@@ -191,7 +191,7 @@ public:
 
     Boundary<D> finish() {
         Boundary<D> result = freeze(kernel_, out_, value_at_infinity_, points_);
-        if (options_->counts != nullptr) options_->counts->kernel = kernel_.counts();
+        if (options_.counts != nullptr) options_.counts->kernel = kernel_.counts();
         return result;
     }
 
@@ -199,7 +199,7 @@ private:
     Kernel<D> kernel_;
     PolytopeClip<D> clip_;
     PointInterner<D> points_;
-    const OperationOptions* options_;
+    OperationOptions options_;
     FaceList out_;
     bool value_at_infinity_ = false;
 };

@@ -4,6 +4,7 @@
 #define CLEAVE_SETOP_OPTIONS_HPP
 
 #include <cleave/bsp/lazy_tree.hpp>
+#include <cleave/execution/executor_ref.hpp>
 #include <cleave/execution/progress.hpp>
 #include <cleave/geometry/kernel.hpp>
 
@@ -30,6 +31,7 @@ struct OperationCounts {
 struct OperationOptions {
     ProgressReporter* progress = nullptr;  ///< told about stages; may cancel, which throws Cancelled
     OperationCounts* counts = nullptr;     ///< filled in if given
+    ExecutorRef executor{};                ///< where independent work runs; the result is the same for every executor
 };
 
 CLEAVE_END_NAMESPACE

@@ -27,7 +27,8 @@ public:
 
     explicit PatchLabels(std::size_t vertices) : sets_(vertices), patch_(vertices, no_id) {}
 
-    /// The labels of vertices a and b are the same.
+    /// The labels of vertices a and b are the same. May be said on several threads at once of vertices that are never
+    /// joined with each other's.
     void join(std::uint32_t a, std::uint32_t b) {
         CLEAVE_REQUIRES(!closed_);
         sets_.join(a, b);

@@ -34,14 +34,14 @@ public:
         return std::all_of(operands.begin(), operands.end(), [](const Boundary<2>* b) { return b->is_finite; });
     }
 
-    /// Requires: `is_for(operands)`; `function` and `options` live as long as this does.
+    /// Requires: `is_for(operands)`.
     PlanarEvaluation(std::span<const Boundary<2>* const> operands, const BooleanFunction& function,
                      const OperationOptions& options)
         : contacts_(operands, options.progress),
           labels_(contacts_),
           merger_(contacts_.kernel(), contacts_.interner()),
-          function_(&function),
-          options_(&options) {
+          function_(function),
+          options_(options) {
         out_.faces.reserve(contacts_.segments().size());
         for (std::uint32_t i = 0; i < contacts_.operand_count(); ++i) assemble(i);
         sound_ = labels_.is_consistent() && is_balanced();
@@ -55,14 +55,14 @@ public:
     /// The result. Requires: `is_sound()`.
     [[nodiscard]] Boundary<2> finish() {
         CLEAVE_REQUIRES(sound_);
-        Boundary<2> result = freeze(contacts_.kernel(), out_, (*function_)(labels_.far()),
-                                    [&](PointId p) { return contacts_.place(p); });
-        if (options_->counts != nullptr) {
+        Boundary<2> result =
+            freeze(contacts_.kernel(), out_, function_(labels_.far()), [&](PointId p) { return contacts_.place(p); });
+        if (options_.counts != nullptr) {
             counts_.kernel = contacts_.kernel().counts();
             counts_.facets = contacts_.segments().size();
             counts_.face_pairs = contacts_.pair_count();
             counts_.points_located = labels_.located();
-            *options_->counts = counts_;
+            *options_.counts = counts_;
         }
         return result;
     }
@@ -72,8 +72,8 @@ private:
     enum class Action : std::uint8_t { drop, keep, flip };
 
     [[nodiscard]] Action action(Bits below, Bits above) const {
-        const bool value = (*function_)(below);
-        if ((*function_)(above) == value) return Action::drop;
+        const bool value = function_(below);
+        if (function_(above) == value) return Action::drop;
         return value ? Action::keep : Action::flip;
     }
 
@@ -99,7 +99,7 @@ private:
         const std::uint32_t first = contacts_.first_segment(i);
         for (std::uint32_t f = 0; f < list.faces.size(); ++f) {
             const FaceList::Face& face = list.faces[f];
-            if (options_->progress != nullptr) options_->progress->advance(face.loop_count);
+            if (options_.progress != nullptr) options_.progress->advance(face.loop_count);
             const std::size_t cut = next_cut_;
             find_actions(i, first + face.first_loop, first + face.first_loop + face.loop_count);
             counts_.faces_crossed += next_cut_ != cut ? 1U : 0U;
@@ -192,8 +192,8 @@ private:
     PlanarContacts contacts_;
     PlanarLabels labels_;
     FaceMerger<2> merger_;
-    const BooleanFunction* function_;
-    const OperationOptions* options_;
+    BooleanFunction function_;
+    OperationOptions options_;
     std::size_t next_cut_ = 0;
     std::vector<Action> actions_;  // of the pieces of one face
     std::uint32_t last_operand_ = no_id;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Whether an operand contains a point off its boundary: an exact ray through a hierarchy of its faces.
+/// Whether an operand contains a point off its boundary: an exact ray, past all faces where few points are asked for,
+/// through a hierarchy of them where many are.
 #ifndef CLEAVE_SETOP_POINT_LOCATION_HPP
 #define CLEAVE_SETOP_POINT_LOCATION_HPP
 
@@ -21,20 +22,7 @@ CLEAVE_BEGIN_NAMESPACE
 /// same for all faces, so that every face decides alike [Edelsbrunner-Muecke-1990].
 class PointLocation {
 public:
-    PointLocation(SurfaceOperands& operands, std::uint32_t operand) : operands_(&operands), operand_(operand) {
-        const Boundary<3>& b = operands.boundary(operand);
-        std::vector<Box<3>> boxes(b.faces.faces.size());
-        for (std::size_t f = 0; f < boxes.size(); ++f) {
-            const FaceList::Face& face = b.faces.faces[f];
-            Bounds<3> bounds;
-            for (std::uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l)
-                for (const Corner& c : b.faces.loop(l))
-                    bounds.include(b.points[c.point].approximation, b.points[c.point].error);
-            boxes[f].lo = bounds.lo;
-            boxes[f].hi = bounds.hi;
-        }
-        hierarchy_ = BoxHierarchy<3>(boxes);
-    }
+    PointLocation(SurfaceOperands& operands, std::uint32_t operand) : operands_(&operands), operand_(operand) {}
 
     /// Whether the operand contains point p of operand i. Requires: p is not on its boundary.
     bool contains(std::uint32_t i, PointId p) {
@@ -59,15 +47,43 @@ private:
         point_ = p;
         Bounds<3> bounds;
         bounds.include(x, error);
+        bounds.hi[2] = std::numeric_limits<double>::infinity();
+        bool inside = operands_->boundary(operand_).value_at_infinity;
+        const auto visit = [&](std::size_t f) {
+            if (is_hit(static_cast<std::uint32_t>(f))) inside = !inside;
+        };
+        if (queries_ < worth_a_hierarchy) {
+            ++queries_;
+            const std::size_t faces = operands_->boundary(operand_).faces.faces.size();
+            for (std::size_t f = 0; f < faces; ++f)
+                if (!box_of(f).disjoint(bounds)) visit(f);
+            return inside;
+        }
+        if (!has_hierarchy_) build();
         Box<3> ray;
         ray.lo = bounds.lo;
         ray.hi = bounds.hi;
-        ray.hi[2] = std::numeric_limits<double>::infinity();
-        bool inside = operands_->boundary(operand_).value_at_infinity;
-        hierarchy_.for_each_meeting(ray, [&](std::size_t f) {
-            if (is_hit(static_cast<std::uint32_t>(f))) inside = !inside;
-        });
+        hierarchy_.for_each_meeting(ray, visit);
         return inside;
+    }
+
+    [[nodiscard]] Bounds<3> box_of(std::size_t f) const {
+        const Boundary<3>& b = operands_->boundary(operand_);
+        Bounds<3> bounds;
+        for (const Corner& c : b.faces.corners_of(f))
+            bounds.include(b.points[c.point].approximation, b.points[c.point].error);
+        return bounds;
+    }
+
+    void build() {
+        std::vector<Box<3>> boxes(operands_->boundary(operand_).faces.faces.size());
+        for (std::size_t f = 0; f < boxes.size(); ++f) {
+            const Bounds<3> bounds = box_of(f);
+            boxes[f].lo = bounds.lo;
+            boxes[f].hi = bounds.hi;
+        }
+        hierarchy_ = BoxHierarchy<3>(boxes);
+        has_hierarchy_ = true;
     }
 
     /// Whether the moved ray crosses face f.
@@ -158,7 +174,11 @@ private:
 
     SurfaceOperands* operands_;
     std::uint32_t operand_;
+    /// To build a hierarchy costs about as much as to look at every face so many times.
+    static constexpr std::size_t worth_a_hierarchy = 12;
+    std::size_t queries_ = 0;  // without it
     BoxHierarchy<3> hierarchy_;
+    bool has_hierarchy_ = false;
     PointId point_ = no_id;  // of the kernel; `no_id` while the point is known as doubles alone
     std::array<double, 3> doubles_{};
 };

@@ -4,7 +4,7 @@
 #define CLEAVE_SETOP_SURFACE_CONTACTS_HPP
 
 #include <cleave/execution/progress.hpp>
-#include <cleave/geometry/box_pairs.hpp>
+#include <cleave/setop/face_pairs.hpp>
 #include <cleave/setop/segment_noding.hpp>
 
 #include <algorithm>
@@ -20,28 +20,24 @@ CLEAVE_BEGIN_NAMESPACE
 /// Finds where operands meet. Requires: operands of `SurfaceOperands`, at most 64.
 class SurfaceContacts {
 public:
-    using Bits = std::uint64_t;
+    using Bits = FacePairs::Bits;
 
     /// Tells `progress` of twice `share` units of work.
-    SurfaceContacts(SurfaceOperands& operands, ProgressReporter* progress, std::size_t share)
+    SurfaceContacts(SurfaceOperands& operands, ExecutorRef executor, ProgressReporter* progress, std::size_t share)
         : operands_(&operands),
           progress_(progress),
           contact_(operands),
-          neighbours_(operands.count(), 0),
-          near_(operands.count()),
-          boxes_(operands.count()),
+          faces_(operands, contact_, executor, progress),
           segments_(operands.count()),
           points_(operands.count()) {
-        find_neighbours();
-        for (std::uint32_t i = 0; i < operands.count(); ++i) find_near(i);
-        find_pairs();
         connect();
         // Finding pairs was a share of the work, what they have in common is another.
         std::size_t told = 0;
         advance(share);
-        for (std::size_t n = 0; n < pairs_.size(); ++n) {
-            meet(pairs_[n]);
-            const std::size_t reached = share * (n + 1) / pairs_.size();
+        const std::span<const FacePair> pairs = faces_.pairs();
+        for (std::size_t n = 0; n < pairs.size(); ++n) {
+            meet(pairs[n]);
+            const std::size_t reached = share * (n + 1) / pairs.size();
             advance(reached - told);
             told = reached;
         }
@@ -52,21 +48,15 @@ public:
     }
 
     /// The operands whose bounds meet those of operand i.
-    [[nodiscard]] Bits neighbours(std::uint32_t i) const { return neighbours_[i]; }
+    [[nodiscard]] Bits neighbours(std::uint32_t i) const { return faces_.neighbours(i); }
     /// Faces of operand i whose boxes meet another operand's box, ascending.
-    [[nodiscard]] std::span<const std::uint32_t> near(std::uint32_t i) const { return near_[i]; }
+    [[nodiscard]] std::span<const std::uint32_t> near(std::uint32_t i) const { return faces_.near(i); }
     /// Records ascend by face.
     [[nodiscard]] std::span<const PointContact> points(std::uint32_t i) const { return points_[i]; }
     [[nodiscard]] RecordWalk walk(std::uint32_t i) const { return RecordWalk(segments_[i], points_[i]); }
-    [[nodiscard]] std::size_t pair_count() const noexcept { return pair_count_; }
+    [[nodiscard]] std::size_t pair_count() const noexcept { return faces_.box_pair_count(); }
 
 private:
-    /// Two faces that the planes do not keep apart, f of the operand that comes first.
-    struct Pair {
-        std::uint32_t i, j, f, g;
-        FaceContact::PackedSigns signs;
-    };
-
     /// A stable sort by face: by counting where there are many records, by comparing where there are few.
     template <class Record>
     void sort_by_face(std::uint32_t i, std::vector<Record>& records) {
@@ -93,83 +83,10 @@ private:
         if (progress_ != nullptr && units != 0) progress_->advance(units);
     }
 
-    void find_neighbours() {
-        for (std::uint32_t j = 1; j < operands_->count(); ++j)
-            for (std::uint32_t i = 0; i < j; ++i) {
-                if (operands_->boundary(i).bounds.disjoint(operands_->boundary(j).bounds)) continue;
-                neighbours_[i] |= Bits(1) << j;
-                neighbours_[j] |= Bits(1) << i;
-            }
-    }
-
-    [[nodiscard]] bool are_neighbours(std::uint32_t i, std::uint32_t j) const {
-        return (neighbours_[i] >> j & 1U) != 0;
-    }
-
-    void find_near(std::uint32_t i) {
-        const Boundary<3>& b = operands_->boundary(i);
-        std::vector<Bounds<3>> others;
-        for (std::uint32_t j = 0; j < operands_->count(); ++j)
-            if (are_neighbours(i, j)) others.push_back(operands_->boundary(j).bounds);
-        if (others.empty()) return;
-        for (std::uint32_t f = 0; f < b.faces.faces.size(); ++f) {
-            const FaceList::Face& face = b.faces.faces[f];
-            Bounds<3> box;
-            const std::uint32_t last = b.faces.loop_first[face.first_loop + face.loop_count];
-            for (std::uint32_t c = b.faces.loop_first[face.first_loop]; c < last; ++c) {
-                const PointRecord<3>& r = b.points[b.faces.corners[c].point];
-                if (r.error == 0) {
-                    for (std::size_t x = 0; x < 3; ++x) {
-                        box.lo[x] = std::min(box.lo[x], r.approximation[x]);
-                        box.hi[x] = std::max(box.hi[x], r.approximation[x]);
-                    }
-                } else {
-                    box.include(r.approximation, r.error);
-                }
-            }
-            if (std::all_of(others.begin(), others.end(), [&](const Bounds<3>& o) { return box.disjoint(o); }))
-                continue;
-            near_[i].push_back(f);
-            boxes_[i].push_back({box, f});
-        }
-    }
-
-    void find_pairs() {
-        std::vector<NamedBox<3>> first, second;
-        const auto reaching = [&](std::uint32_t i, std::uint32_t j, std::vector<NamedBox<3>>& out) {
-            out.clear();
-            const Bounds<3>& bounds = operands_->boundary(j).bounds;
-            for (const NamedBox<3>& b : boxes_[i])
-                if (!b.box.disjoint(bounds)) out.push_back(b);
-        };
-        const auto visit = [&](std::uint32_t i, std::uint32_t j) {
-            const std::size_t before = pairs_.size();
-            for_each_meeting_pair<3>(first, second, [&](std::uint32_t f, std::uint32_t g) {
-                if ((++pair_count_ & 0xfffU) == 0 && progress_ != nullptr) progress_->throw_if_stopped();
-                if (contact_.reach(i, f, j, g)) pairs_.push_back({i, j, f, g, contact_.signs()});
-            });
-            std::sort(pairs_.begin() + std::ptrdiff_t(before), pairs_.end(),
-                      [](const Pair& a, const Pair& b) { return std::pair(a.f, a.g) < std::pair(b.f, b.g); });
-        };
-        for (std::uint32_t j = 1; j < operands_->count(); ++j)
-            for (std::uint32_t i = 0; i < j; ++i) {
-                if (!are_neighbours(i, j)) continue;
-                if (operands_->count() == 2) {  // what is near is what reaches the other
-                    first.swap(boxes_[0]);
-                    second.swap(boxes_[1]);
-                } else {
-                    reaching(i, j, first);
-                    reaching(j, i, second);
-                }
-                visit(i, j);
-            }
-        boxes_.clear();
-    }
-
     /// Makes neighbours known among the faces that may be cut.
     void connect() {
         std::vector<std::vector<std::uint32_t>> faces(operands_->count());
-        for (const Pair& p : pairs_) {
+        for (const FacePair& p : faces_.pairs()) {
             if (faces[p.i].empty() || faces[p.i].back() != p.f) faces[p.i].push_back(p.f);
             faces[p.j].push_back(p.g);
         }
@@ -180,7 +97,7 @@ private:
         }
     }
 
-    void meet(const Pair& p) {
+    void meet(const FacePair& p) {
         if (contact_.find(p.i, p.f, p.j, p.g, p.signs)) {
             meet_coplanar(p);
             return;
@@ -197,7 +114,7 @@ private:
         for (const ContactPoint& c : contact_.points()) add_point(p.i, p.f, c.of_f, p.j, p.g, c.of_g, c.point);
     }
 
-    void meet_coplanar(const Pair& p) {
+    void meet_coplanar(const FacePair& p) {
         const bool opposite = operands_->plane(p.i, p.f) != operands_->plane(p.j, p.g);
         if (meet_equal(p, opposite)) return;
         const std::array<std::uint32_t, 2> operand{p.i, p.j};
@@ -224,7 +141,7 @@ private:
     }
 
     /// Triangles with the same corners have their edges in common. Returns: whether they are such.
-    bool meet_equal(const Pair& pair, bool opposite) {
+    bool meet_equal(const FacePair& pair, bool opposite) {
         const FaceOutline& a = contact_.f();
         const FaceOutline& b = contact_.g();
         if (!a.is_triangle() || !b.is_triangle()) return false;
@@ -279,14 +196,10 @@ private:
     SurfaceOperands* operands_;
     ProgressReporter* progress_;
     FaceContact contact_;
-    std::vector<Bits> neighbours_;
-    std::vector<std::vector<std::uint32_t>> near_;
-    std::vector<std::vector<NamedBox<3>>> boxes_;
-    std::vector<Pair> pairs_;
+    FacePairs faces_;
     std::vector<CommonSegment> common_;
     std::vector<std::vector<SegmentRecord>> segments_;
     std::vector<std::vector<PointContact>> points_;
-    std::size_t pair_count_ = 0;
 };
 
 CLEAVE_END_NAMESPACE

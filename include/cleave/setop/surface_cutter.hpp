@@ -130,7 +130,8 @@ private:
     }
 
     /// Learns from the contacts at one end of a piece about operands that are not known yet. A piece inside the face
-    /// may run through a coplanar face of another operand: what has it in its plane tells nothing then.
+    /// may run through a coplanar face of another operand: what has it in its plane tells nothing then, nor does a
+    /// ridge that stands on such a face.
     template <class SideAhead>
     void learn_from(PointId x, FacePiece& piece, SideAhead&& side_ahead) {
         std::span<const PointContact* const> contacts = at(x);
@@ -145,10 +146,23 @@ private:
                     in_plane = in_plane || s == Sign::zero;
                     return s;
                 });
-                if (inside && (piece.n != no_id || !in_plane)) piece.set(j, {*inside, *inside}, {*inside, *inside});
+                if (inside && (piece.n != no_id || (!in_plane && !is_in_coplanar(j, x))))
+                    piece.set(j, {*inside, *inside}, {*inside, *inside});
             }
             contacts = contacts.subspan(n);
         }
+    }
+
+    /// Whether a coplanar face of operand j contains the end of a piece. Such a face has no contact there unless it is
+    /// the end of something of either face. Requires: the point is on none of that face's edges.
+    bool is_in_coplanar(std::uint32_t j, PointId x) {
+        std::uint32_t last = no_id;
+        for (const SegmentRecord& r : records_.segments) {
+            if (r.operand != j || r.up_down != 0 || r.other == last) continue;
+            last = r.other;
+            if (cover_(j, r.other, x)) return true;
+        }
+        return false;
     }
 
     // --- edges -------------------------------------------------------------------------------------------------------

@@ -42,12 +42,12 @@ public:
                       const OperationOptions& options)
         : operands_(operands),
           face_count_(begin(operands, options.progress)),
-          contacts_(operands_, options.progress, face_count_),
-          labels_(operands_, contacts_),
+          contacts_(operands_, options.executor, options.progress, face_count_),
+          labels_(operands_, contacts_, options.executor, options.progress),
           merger_(operands_.kernel(), operands_.interner()),
           result_(operands_),
           function_(function),
-          options_(&options) {
+          options_(options) {
         if (options.progress != nullptr) options.progress->advance(face_count_);
         sound_ = labels_.is_consistent();
         for (std::uint32_t i = 0; i < operands_.count(); ++i)
@@ -63,11 +63,11 @@ public:
     /// The result. Requires: `is_sound()`.
     [[nodiscard]] Boundary<3> finish() {
         CLEAVE_REQUIRES(sound_);
-        if (options_->counts != nullptr) {
+        if (options_.counts != nullptr) {
             counts_.kernel = operands_.kernel().counts();
             counts_.face_pairs = contacts_.pair_count();
             counts_.points_located = labels_.located();
-            *options_->counts = counts_;
+            *options_.counts = counts_;
         }
         return result_.finish(function_(labels_.far()));
     }
@@ -108,12 +108,16 @@ private:
         const std::span<const std::uint32_t> near = contacts_.near(i);
         std::size_t at = 0;
         RecordWalk walk = contacts_.walk(i);
-        for (std::uint32_t f = 0; f < b.faces.faces.size() && sound_; ++f) {
-            if (options_->progress != nullptr) options_->progress->advance();
-            if (at == near.size() || near[at] != f) {
-                copy(i, f, beyond);
-                continue;
+        const auto face_count = static_cast<std::uint32_t>(b.faces.faces.size());
+        for (std::uint32_t f = 0; f < face_count && sound_; ++f) {
+            const std::uint32_t next = at == near.size() ? face_count : near[at];
+            if (f < next && beyond != Action::drop) {
+                counts_.faces_whole += next - f;
+                result_.add_copies(i, f, next, beyond == Action::flip);
             }
+            if (options_.progress != nullptr) options_.progress->advance(next - f + (next < face_count ? 1U : 0U));
+            f = next;
+            if (f == face_count) break;
             const FaceRecords records = walk.of(f);
             pieces_ = labels_.pieces(i, at++);
             if (!pieces_.empty()) {
@@ -266,7 +270,7 @@ private:
     FaceMerger<3> merger_;
     SurfaceResult result_;
     BooleanFunction function_;
-    const OperationOptions* options_;
+    OperationOptions options_;
     std::span<FacePiece> pieces_;  // of the face in hand
     std::vector<FacePiece> untouched_;
     std::vector<std::pair<Action, Action>> actions_;

@@ -3,6 +3,8 @@
 #ifndef CLEAVE_SETOP_SURFACE_LABELS_HPP
 #define CLEAVE_SETOP_SURFACE_LABELS_HPP
 
+#include <cleave/execution/executor_ref.hpp>
+#include <cleave/execution/progress.hpp>
 #include <cleave/setop/coplanar_cover.hpp>
 #include <cleave/setop/patch_labels.hpp>
 #include <cleave/setop/point_location.hpp>
@@ -25,7 +27,9 @@ class SurfaceLabels {
 public:
     using Bits = FacePiece::Bits;
 
-    SurfaceLabels(SurfaceOperands& operands, const SurfaceContacts& contacts)
+    /// `progress` is asked whether to stop.
+    SurfaceLabels(SurfaceOperands& operands, const SurfaceContacts& contacts, ExecutorRef executor,
+                  const ProgressReporter* progress)
         : operands_(&operands),
           contacts_(&contacts),
           touched_(operands, contacts),
@@ -36,8 +40,8 @@ public:
           locators_(operands.count()) {
         for (std::uint32_t i = 0; i < operands.count(); ++i)
             if (operands.boundary(i).value_at_infinity) far_ |= Bits(1) << i;
-        std::vector<bool> seen(operands.vertex_count(), false);
-        for (std::uint32_t i = 0; i < operands.count(); ++i) cut_faces(i, seen);
+        join_untouched(executor);
+        for (std::uint32_t i = 0; i < operands.count(); ++i) cut_faces(i, progress);
         patches_.close();
     }
 
@@ -97,7 +101,70 @@ private:
 
     // --- before all is known -----------------------------------------------------------------------------------------
 
-    void cut_faces(std::uint32_t i, std::vector<bool>& seen) {
+    /// A vertex, or two, and operands of which something is known there.
+    struct Note {
+        std::uint32_t v, w;
+        Bits operands;
+    };
+
+    /// What the near faces of one operand tell before any is cut.
+    struct Notes {
+        std::vector<Note> outside;  // vertices beyond operands' bounds
+        std::vector<Note> links;    // see PatchLabels::link
+    };
+
+    /// Joins the corners of faces without contacts. No two operands have a vertex in common, so they go side by side.
+    void join_untouched(ExecutorRef executor) {
+        std::vector<Notes> notes(operands_->count());
+        executor.for_each_index(operands_->count(),
+                                [&](std::size_t i) { join_untouched(static_cast<std::uint32_t>(i), notes[i]); });
+        for (const Notes& n : notes) {
+            for (const Note& o : n.outside) patches_.learn(o.v, o.operands, far_);
+            for (const Note& l : n.links) patches_.link(l.v, l.w, l.operands);
+        }
+    }
+
+    void join_untouched(std::uint32_t i, Notes& notes) {
+        const FaceList& list = operands_->boundary(i).faces;
+        RecordWalk walk = contacts_->walk(i);
+        std::vector<bool> seen(operands_->boundary(i).points.size(), false);
+        for (const std::uint32_t f : contacts_->near(i)) {
+            for (const Corner& c : list.corners_of(f)) {
+                if (seen[c.point]) continue;
+                seen[c.point] = true;
+                if (const Bits outside = beyond(i, c.point); outside != 0)
+                    notes.outside.push_back({operands_->vertex(i, c.point), no_id, outside});
+            }
+            if (!walk.of(f).points.empty()) continue;
+            const FaceList::Face& face = list.faces[f];
+            for (std::uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
+                const std::span<const Corner> loop = list.loop(l);
+                for (std::size_t n = 1; n < loop.size(); ++n) join(i, loop[n - 1].point, loop[n].point, notes);
+            }
+        }
+    }
+
+    void join(std::uint32_t i, PointId p, PointId q, Notes& notes) {
+        const std::uint32_t v = operands_->vertex(i, p);
+        const std::uint32_t w = operands_->vertex(i, q);
+        const Bits touched = touched_.by(v) | touched_.by(w);
+        if (touched == 0)
+            patches_.join(v, w);
+        else
+            notes.links.push_back({v, w, contacts_->neighbours(i) & ~touched});
+    }
+
+    /// The operands beyond whose bounds a vertex of operand i is: there they have their value far away.
+    [[nodiscard]] Bits beyond(std::uint32_t i, PointId p) const {
+        Bits outside = 0;
+        for (Bits rest = contacts_->neighbours(i); rest != 0; rest &= rest - 1) {
+            const auto j = static_cast<std::uint32_t>(std::countr_zero(rest));
+            if (is_outside(operands_->boundary(i).points[p], operands_->boundary(j).bounds)) outside |= bit(j);
+        }
+        return outside;
+    }
+
+    void cut_faces(std::uint32_t i, const ProgressReporter* progress) {
         const std::span<const std::uint32_t> near = contacts_->near(i);
         RecordWalk walk = contacts_->walk(i);
         FaceOutline outline;
@@ -105,29 +172,13 @@ private:
         for (const std::uint32_t f : near) {
             first_piece_[i].push_back(pieces_.size());
             const FaceRecords records = walk.of(f);
+            if (records.points.empty()) continue;
+            if ((pieces_.size() & 0xffU) < 4 && progress != nullptr) progress->throw_if_stopped();
             outline.read(*operands_, i, f);
-            for (const FaceOutline::Entry& e : outline.entries) learn_outside(i, e.point, seen);
-            if (records.points.empty()) {
-                for (const FaceOutline::Entry& e : outline.entries) join(i, e.point, outline.entries[e.next].point);
-                continue;
-            }
             cutter_.cut(outline, records, ~contacts_->neighbours(i), far(i), pieces_);
             tell_vertices(outline, records, pieces_.size());
         }
         first_piece_[i].push_back(pieces_.size());
-    }
-
-    /// Vertices beyond an operand's bounds are where it has its value far away.
-    void learn_outside(std::uint32_t i, PointId p, std::vector<bool>& seen) {
-        const std::uint32_t v = operands_->vertex(i, p);
-        if (seen[v]) return;
-        seen[v] = true;
-        Bits outside = 0;
-        for (Bits rest = contacts_->neighbours(i); rest != 0; rest &= rest - 1) {
-            const auto j = static_cast<std::uint32_t>(std::countr_zero(rest));
-            if (is_outside(operands_->boundary(i).points[p], operands_->boundary(j).bounds)) outside |= bit(j);
-        }
-        patches_.learn(v, outside, far_);
     }
 
     static bool is_outside(const PointRecord<3>& r, const Bounds<3>& box) {
@@ -139,16 +190,6 @@ private:
         Bounds<3> at;
         at.include(r.approximation, r.error);
         return at.disjoint(box);
-    }
-
-    void join(std::uint32_t i, PointId p, PointId q) {
-        const std::uint32_t v = operands_->vertex(i, p);
-        const std::uint32_t w = operands_->vertex(i, q);
-        const Bits touched = touched_.by(v) | touched_.by(w);
-        if (touched == 0)
-            patches_.join(v, w);
-        else
-            patches_.link(v, w, contacts_->neighbours(i) & ~touched);
     }
 
     /// What the pieces of edges tell about the vertices at their ends. Pieces are those from `first_piece_` on.

@@ -37,11 +37,10 @@ public:
         const FaceList::Face& face = b.faces.faces[f];
         if (face.plane == no_id) {
             const Corner* c = b.faces.corners.data() + b.faces.loop_first[face.first_loop];
-            std::array<Corner, 3> loop{Corner{vertex(i, c[0].point), no_id}, Corner{vertex(i, c[1].point), no_id},
-                                       Corner{vertex(i, c[2].point), no_id}};
-            if (flip) std::swap(loop[1], loop[2]);
-            out_.faces.begin_face(no_id, {i, f});
-            out_.faces.add_loop(loop);
+            const PointId p = vertex(i, c[0].point);
+            const PointId q = vertex(i, c[1].point);
+            const PointId r = vertex(i, c[2].point);
+            out_.faces.add_plain_triangle(p, flip ? r : q, flip ? q : r, {i, f});
             return;
         }
         const PlaneId plane = table_plane(i, face.plane);
@@ -52,6 +51,18 @@ public:
                 loop_.push_back({vertex(i, c.point), c.edge == no_id ? no_id : table_plane(i, c.edge)});
             if (flip) reverse_loop<3>(loop_);
             out_.faces.add_loop(loop_);
+        }
+    }
+
+    /// The same for faces first ... last - 1.
+    void add_copies(std::uint32_t i, std::uint32_t first, std::uint32_t last, bool flip) {
+        const FaceList& list = operands_->boundary(i).faces;
+        std::uint32_t f = first;
+        while (f < last) {
+            std::uint32_t end = f;
+            while (end < last && list.faces[end].plane == no_id) ++end;
+            add_triangles(i, f, end, flip);
+            for (f = end; f < last && list.faces[f].plane != no_id; ++f) add_copy(i, f, flip);
         }
     }
 
@@ -74,12 +85,33 @@ public:
     }
 
 private:
+    /// Faces first ... last - 1. Requires: none has a plane.
+    void add_triangles(std::uint32_t i, std::uint32_t first, std::uint32_t last, bool flip) {
+        const FaceList& list = operands_->boundary(i).faces;
+        FaceList& out = out_.faces;
+        const std::size_t count = last - first;
+        std::size_t c = out.corners.size();
+        std::size_t n = out.faces.size();
+        std::size_t l = out.loop_first.size();
+        out.corners.resize(c + 3 * count);
+        out.faces.resize(n + count);
+        out.loop_first.resize(l + count);
+        for (std::uint32_t f = first; f < last; ++f, c += 3, ++n, ++l) {
+            const Corner* const from = list.corners.data() + list.loop_first[list.faces[f].first_loop];
+            Corner* const to = out.corners.data() + c;
+            to[0] = {vertex(i, from[0].point), no_id};
+            to[flip ? 2 : 1] = {vertex(i, from[1].point), no_id};
+            to[flip ? 1 : 2] = {vertex(i, from[2].point), no_id};
+            out.faces[n] = {no_id, static_cast<std::uint32_t>(l - 1), 1, {i, f}};
+            out.loop_first[l] = static_cast<std::uint32_t>(c + 3);
+        }
+    }
+
     PointId vertex(std::uint32_t i, PointId p) {
-        const PointId known = operands_->known_point(i, p);
-        if (known != no_id) return kernel_point(known);
         PointId& at = vertices_[operands_->vertex(i, p)];
-        if (at == no_id) at = add_vertex(i, p);
-        return at;
+        if (at != no_id) return at;
+        const PointId known = operands_->known_point(i, p);
+        return at = known != no_id ? kernel_point(known) : add_vertex(i, p);
     }
 
     PointId add_vertex(std::uint32_t i, PointId p) {

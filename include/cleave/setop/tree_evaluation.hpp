@@ -27,7 +27,7 @@ public:
 
     TreeEvaluation(std::span<const Boundary<D>* const> operands, const BooleanFunction& function,
                    const OperationOptions& options)
-        : clip_(kernel_), points_(kernel_), operands_(operands), options_(&options) {
+        : clip_(kernel_), points_(kernel_), operands_(operands), options_(options) {
         std::vector<PlaneTree<PlaneId>> trees;
         if (options.progress != nullptr) options.progress->begin("trees", operands.size());
         for (const Boundary<D>* b : operands) {
@@ -51,16 +51,16 @@ public:
 
     Boundary<D> finish() {
         Boundary<D> result = freeze(kernel_, out_, value_at_far_point(kernel_.planes, tree_), points_);
-        if (options_->counts != nullptr) options_->counts->kernel = kernel_.counts();
+        if (options_.counts != nullptr) options_.counts->kernel = kernel_.counts();
         return result;
     }
 
 private:
     PlaneTree<PlaneId> merge_all(const std::vector<PlaneTree<PlaneId>>& trees, const BooleanFunction& function) {
-        if (options_->progress != nullptr) {
+        if (options_.progress != nullptr) {
             std::size_t total = 0;
             for (const auto& t : trees) total += t.node_count();
-            options_->progress->begin("merge", total);
+            options_.progress->begin("merge", total);
         }
         if (trees.size() == 1) return relabel(trees[0], [&](bool a) { return function(a ? 1 : 0); });
         if (trees.size() == 2) {
@@ -71,13 +71,13 @@ private:
             const BooleanRule rule([&](bool a, bool b) {
                 return function((a ? (swapped ? 2U : 1U) : 0U) | (b ? (swapped ? 1U : 2U) : 0U));
             });
-            return counted(merge(clip_, trees[swapped ? 1 : 0], trees[swapped ? 0 : 1], rule, options_->progress));
+            return counted(merge(clip_, trees[swapped ? 1 : 0], trees[swapped ? 0 : 1], rule, options_.progress));
         }
         PlaneTree<PlaneId, Bits> sum(Bits(0));
         for (std::size_t i = 0; i < trees.size(); ++i)
             sum = collapse(merge(
                 clip_, sum, trees[i], [i](Bits bits, bool b) { return bits | Bits(b ? 1 : 0) << i; },
-                options_->progress));
+                options_.progress));
         return counted(relabel(std::move(sum), [&](Bits bits) { return function(bits); }));
     }
 
@@ -113,7 +113,7 @@ private:
     }
 
     PlaneTree<PlaneId> counted(PlaneTree<PlaneId> tree) {
-        if (options_->counts != nullptr) options_->counts->merged_nodes = tree.node_count();
+        if (options_.counts != nullptr) options_.counts->merged_nodes = tree.node_count();
         return tree;
     }
 
@@ -131,7 +131,7 @@ private:
     PolytopeClip<D> clip_;
     PointInterner<D> points_;
     std::span<const Boundary<D>* const> operands_;
-    const OperationOptions* options_;
+    OperationOptions options_;
     std::vector<Source> sources_;
     PlaneTree<PlaneId> tree_;
     FaceList out_;

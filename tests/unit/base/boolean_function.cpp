@@ -2,11 +2,14 @@
 #include <cleave/base/boolean_function.hpp>
 
 #include "support/catch.hpp"
+#include "support/dice.hpp"
 #include "support/property.hpp"
 
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 using support::property;
@@ -38,6 +41,77 @@ bool by_definition(Operation operation, unsigned k, Bits bits) {
 BooleanFunction some_expression(unsigned arity) {
     const auto x = [arity](unsigned i) { return BooleanFunction::operand(i, arity); };
     return (x(0) - x(1)) | (x(2) & ~(x(3) ^ x(4)));
+}
+
+/// A function and the same by its definition, for points of 64 bits.
+struct Known {
+    BooleanFunction function;
+    std::function<bool(Bits)> plain;
+};
+
+/// A count, a parity, a constant or an operand.
+Known draw_leaf(support::Dice& dice, unsigned arity) {
+    const Bits all = arity == 64 ? ~Bits(0) : (Bits(1) << arity) - 1;
+    const unsigned m = unsigned(dice.below(int(arity) + 2));
+    const unsigned i = unsigned(dice.below(int(arity)));
+    switch (dice.below(12)) {
+        case 0:
+            return {BooleanFunction::at_least(m, arity), [=](Bits b) { return unsigned(std::popcount(b & all)) >= m; }};
+        case 1:
+            return {BooleanFunction::symmetric_difference(arity),
+                    [=](Bits b) { return std::popcount(b & all) % 2 != 0; }};
+        case 2:
+            return {BooleanFunction::union_(arity), [=](Bits b) { return (b & all) != 0; }};
+        case 3:
+            return {BooleanFunction::intersection(arity), [=](Bits b) { return (b & all) == all; }};
+        case 4:
+            return {BooleanFunction::constant(m % 2 != 0, arity), [=](Bits) { return m % 2 != 0; }};
+        default:
+            return {BooleanFunction::operand(i, arity), [=](Bits b) { return (b >> i & 1U) != 0; }};
+    }
+}
+
+Known joined(int how, const Known& f, const Known& g) {
+    switch (how) {
+        case 0:
+            return {f.function | g.function, [=](Bits b) { return f.plain(b) || g.plain(b); }};
+        case 1:
+            return {f.function & g.function, [=](Bits b) { return f.plain(b) && g.plain(b); }};
+        case 2:
+            return {f.function - g.function, [=](Bits b) { return f.plain(b) && !g.plain(b); }};
+        default:
+            return {f.function ^ g.function, [=](Bits b) { return f.plain(b) != g.plain(b); }};
+    }
+}
+
+/// An expression of so many leaves. `kinds`: how many of the four operations occur. `lean`: which part is a leaf, 0 the
+/// second, 1 the first, 2 neither in particular.
+Known draw_expression(support::Dice& dice, unsigned arity, int leaves, int kinds, int lean) {
+    if (leaves == 1) {
+        Known f = draw_leaf(dice, arity);
+        if (dice.below(4) != 0) return f;
+        return {~f.function, [plain = f.plain](Bits b) { return !plain(b); }};
+    }
+    const int first = lean == 0 ? leaves - 1 : lean == 1 ? 1 : dice.between(1, leaves - 1);
+    const Known f = draw_expression(dice, arity, first, kinds, lean);
+    const Known g = draw_expression(dice, arity, leaves - first, kinds, lean);
+    return joined(kinds == 1 ? dice.below(100) == 0 ? 1 : 0 : dice.below(kinds), f, g);
+}
+
+void check_points(support::Dice& dice, const Known& known, int count) {
+    const auto word = [&] {
+        Bits b = 0;
+        for (int n = 0; n < 8; ++n) b = b << 8U | Bits(dice.below(256));
+        return b;
+    };
+    for (int n = 0; n < count; ++n) {
+        Bits b = word();
+        for (int k = dice.below(6); k > 0; --k) b &= word();  // few bits, or
+        if (dice.below(2) == 0) b = ~b;                       // many
+        if (dice.below(10) == 0) b = 0;
+        REQUIRE(known.function(b) == known.plain(b));
+        REQUIRE(known.function.value_if_known(b, ~Bits(0)) == known.plain(b));
+    }
 }
 
 }  // namespace
@@ -176,4 +250,34 @@ TEST_CASE("boolean_function: operators are the Boolean algebra, for random expre
         RC_ASSERT((f - g)(point) == (f(point) && !g(point)));
         RC_ASSERT((f ^ g)(point) == (f(point) != g(point)));
     });
+}
+
+TEST_CASE("boolean_function: random expressions have the values of their parts, by every way of evaluation") {
+    support::Dice dice(64);
+    for (int n = 0; n < 4000; ++n) {
+        const unsigned arity = dice.below(3) == 0 ? unsigned(dice.between(1, 9)) : unsigned(dice.between(7, 64));
+        const int leaves = dice.below(8) == 0 ? dice.between(60, 90) : dice.between(1, 8);
+        check_points(dice, draw_expression(dice, arity, leaves, dice.between(1, 4), dice.below(3)), 40);
+    }
+}
+
+TEST_CASE("boolean_function: chains of one operation, and programs of any depth") {
+    support::Dice dice(7);
+    const auto operand = [](unsigned i) {
+        return Known{BooleanFunction::operand(i, 64), [=](Bits b) { return (b >> i & 1U) != 0; }};
+    };
+    for (int how = 0; how < 4; ++how) {
+        for (const bool from_left : {true, false}) {
+            Known chain = operand(0);
+            for (unsigned i = 1; i < 140; ++i) {
+                const Known next = operand(i * 5 % 64);
+                chain = from_left ? joined(how, chain, next) : joined(how, next, chain);
+                if (i % 7 == 0 || (60 < i && i < 70)) check_points(dice, chain, 20);
+                for (unsigned k = 0; k < 64; ++k) {
+                    REQUIRE(chain.function(Bits(1) << k) == chain.plain(Bits(1) << k));
+                    REQUIRE(chain.function(~(Bits(1) << k)) == chain.plain(~(Bits(1) << k)));
+                }
+            }
+        }
+    }
 }

@@ -5,8 +5,10 @@
 #include "support/dice.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -69,6 +71,25 @@ TEST_CASE("box pairs: many equal boxes, and long thin ones among small ones") {
     CHECK(meeting(a, b) == by_force(a, b));
     CHECK(meeting(a, {}).empty());
     CHECK(meeting({}, b).empty());
+}
+
+TEST_CASE("box pairs: boxes that crowd ever closer to a point, and boxes without end") {
+    Dice dice(8);
+    for (std::size_t n = 0; n < scaled(40); ++n) {
+        std::vector<NamedBox<3>> a = boxes(dice, 150, 6, 2);
+        std::vector<NamedBox<3>> b = boxes(dice, 150, 6, 2);
+        for (auto* set : {&a, &b})
+            for (NamedBox<3>& box : *set) {
+                const int scale = -dice.between(0, 60);
+                for (std::size_t x = 0; x < 3; ++x) {
+                    box.box.lo[x] = std::ldexp(box.box.lo[x], scale);
+                    box.box.hi[x] = std::ldexp(box.box.hi[x], scale);
+                    if (dice.between(0, 30) == 0) box.box.lo[x] = -std::numeric_limits<double>::infinity();
+                    if (dice.between(0, 30) == 0) box.box.hi[x] = std::numeric_limits<double>::infinity();
+                }
+            }
+        CHECK(meeting(a, b) == by_force(a, b));
+    }
 }
 
 TEST_CASE("box pairs: within one set, the same as by trying all") {

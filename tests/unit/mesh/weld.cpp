@@ -67,3 +67,20 @@ TEST_CASE("weld: agrees with an ordered map on random points") {
         RC_ASSERT(first_equal_points<double>(points) == expected);
     });
 }
+
+TEST_CASE("weld: points are surely distinct only where no two are equal") {
+    property("random points, and the same with one of them once more", [](const std::vector<std::array<int, 3>>& raw) {
+        std::vector<std::array<double, 3>> points;
+        for (const auto& p : raw) points.push_back({p[0] % 9 / 2.0, p[1] % 9 / 2.0, p[2] % 9 / 2.0});
+        std::map<std::array<double, 3>, int> seen;
+        for (const auto& p : points) ++seen[{p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}];
+        if (seen.size() < points.size()) RC_ASSERT(!are_surely_distinct<double>(points));
+        // Hashes of 44 bits: none of these few is that of another.
+        if (seen.size() == points.size()) RC_ASSERT(are_surely_distinct<double>(points));
+        if (points.empty()) return;
+        std::array<double, 3> again = points[points.size() / 2];
+        for (double& x : again) x = x == 0 ? -x : x;
+        points.push_back(again);
+        RC_ASSERT(!are_surely_distinct<double>(points));
+    });
+}

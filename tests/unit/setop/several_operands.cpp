@@ -42,9 +42,7 @@ Region<3> localised(const BooleanFunction& function, const Regions& operands, Op
         boundaries.push_back(b->is_conforming ? b : &conforming.emplace_back(make_conforming(r.boundary())));
     }
     REQUIRE(SurfaceEvaluation::is_for(boundaries));
-    OperationOptions options;
-    options.counts = counts;
-    SurfaceEvaluation evaluation(boundaries, function, options);
+    SurfaceEvaluation evaluation(boundaries, function, OperationOptions{nullptr, counts});
     REQUIRE(evaluation.is_sound());
     return Region<3>(evaluation.finish());
 }
@@ -135,6 +133,97 @@ TEST_CASE("several operands: a ridge on the operand's own face, which is coplana
     check_all({a, c, b});
     check_all({c, a, b});
     check_all({a, c, box<3>({1, -2, -1}, {4, 2, 0})});
+}
+
+TEST_CASE(
+    "several operands: an edge ends in the middle of a ridge on the operand's own face, coplanar with another's") {
+    // Found by random search: the ridge tells that what leaves the edge's end is outside its wedge, not that it is
+    // outside the plate that the wedge stands on, which has nothing there but its inside.
+    const auto wedge = [](int from, int to) {
+        return simplex<3>(std::array<std::array<Rational, 3>, 4>{{{from, 0, 0}, {to, 0, 0}, {3, 0, 3}, {1, 2, 2}}});
+    };
+    const Region<3> plate = box<3>({1, -2, -1}, {5, 2, 0});
+    const Region<3> standing = plate | wedge(1, 4);
+    const Region<3> block = box<3>({1, -1, 0}, {3, 0, 2});
+    check_all({block, standing, plate});
+    check_all({standing, block, plate});
+    check_all({plate, block, ~standing});
+    // The plates overlap, one is inside the other, and both have ridges.
+    check_all({block, standing, box<3>({0, -2, -1}, {4, 2, 0})});
+    check_all({block, standing, box<3>({2, -1, -1}, {5, 1, 0})});
+    check_all({block, standing, plate | wedge(2, 5)});
+    check_all({block, plate | wedge(0, 3), box<3>({1, -3, -2}, {4, 2, 0}), plate | wedge(2, 5)});
+    // A wall of the block stands across the ridge instead, or its corner is inside the ridge.
+    check_all({box<3>({2, -1, 0}, {3, 1, 2}), standing, plate});
+    check_all({box<3>({2, 0, -1}, {3, 1, 2}), standing, plate});
+    check_all({turned(block), turned(standing), turned(plate)});
+}
+
+TEST_CASE("several operands: shells of one operand that touch in ridges, cut nowhere") {
+    // Ridges on the plate's top, along its edge and beyond, across its edge, and across another ridge; a cavity that
+    // reaches the top from below; each as a mesh of separate shells, without a point where they touch.
+    const auto wedge = [](std::array<Rational, 3> from, std::array<Rational, 3> to, int z) {
+        const Rational x(from[0] + to[0]);
+        const Rational y(from[1] + to[1]);
+        return simplex<3>(
+            std::array<std::array<Rational, 3>, 4>{{from,
+                                                    to,
+                                                    {Rational(x / 2 - y / 4 - 1), y, z},
+                                                    {Rational(x / 2 + 1), Rational(y / 2 - 1), Rational(2 * z)}}});
+    };
+    const auto shells = [](const std::vector<Region<3>>& outer, const std::vector<Region<3>>& cavities) {
+        Mesh all;
+        const auto append = [&](const Region<3>& r, bool reverse) {
+            const Mesh m = to_mesh(r);
+            const auto base = static_cast<std::uint32_t>(all.points.size());
+            all.points.insert(all.points.end(), m.points.begin(), m.points.end());
+            for (std::size_t f = 0; f < m.face_count(); ++f) {
+                std::vector<std::uint32_t> corners;
+                for (const std::uint32_t c : m.face(f)) corners.push_back(base + c);
+                if (reverse) std::reverse(corners.begin(), corners.end());
+                all.add_face(corners);
+            }
+        };
+        Region<3> set;
+        for (const Region<3>& r : outer) {
+            append(r, false);
+            set = set | r;
+        }
+        for (const Region<3>& r : cavities) {
+            append(r, true);
+            set = set - r;
+        }
+        const Region<3> read = to_region(all);
+        REQUIRE(read.surface().is_conforming);
+        REQUIRE(canonical(read) == canonical(set));
+        return read;
+    };
+    const Region<3> plate = box<3>({0, -2, -2}, {4, 2, 0});
+    const Region<3> half = box<3>({0, 0, -2}, {3, 2, 0});
+    const std::vector<Region<3>> solids = {
+        shells({plate, wedge({1, 0, 0}, {3, 0, 0}, 2)}, {}),
+        shells({half, wedge({1, 0, 0}, {4, 0, 0}, 2)}, {}),
+        shells({half, wedge({2, -1, 0}, {2, 1, 0}, 2)}, {}),
+        shells({wedge({1, 0, 0}, {3, 0, 0}, 2), wedge({2, -1, 0}, {2, 1, 0}, -2)}, {}),
+        shells({plate}, {wedge({1, 0, 0}, {3, 0, 0}, -1)}),
+        shells({plate, wedge({1, 0, 0}, {3, 0, 0}, 2)}, {wedge({2, -1, 0}, {2, 1, 0}, -1)}),
+    };
+    const std::vector<Region<3>> others = {
+        plate,
+        half,
+        box<3>({1, -1, 0}, {2, 0, 2}),
+        box<3>({0, 0, -1}, {2, 2, 1}),
+        wedge({0, 0, 0}, {2, 0, 0}, 1),
+        simplex<3>(std::array<std::array<Rational, 3>, 4>{{{2, 0, 0}, {3, 1, 2}, {3, -1, 2}, {4, 0, -1}}}),
+    };
+    for (const Region<3>& a : solids) {
+        for (const Region<3>& b : solids) check_all({a, b});
+        for (std::size_t n = 0; n < others.size(); ++n) {
+            check_all({a, others[n]});
+            check_all({a, others[n], others[(n + 1) % others.size()]});
+            check_all({others[n], solids[n % solids.size()], a});
+        }
+    }
 }
 
 TEST_CASE("several operands: a vertex of a face on the face's own edge") {
