@@ -13,6 +13,7 @@
 #include <fstream>
 #include <optional>
 #include <regex>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -165,9 +166,10 @@ void print_head(const std::vector<Engine>& engines) {
         "Processor time over cleave's, then medians in ms, the runs of each engine, and the peak of memory in MiB.\n"
         "!: the answer is wrong, see below the line. failed: no answer. -: not asked, too large for it.\n\n");
     std::printf("%-28s %17s", "case", "faces");
-    for (std::size_t e = 1; e < engines.size(); ++e) std::printf(" %13s", (engines[e].name + "/cleave").c_str());
+    const std::span<const Engine> others = std::span(engines).subspan(1);
+    for (const Engine& e : others) std::printf(" %13s", (e.name + "/cleave").c_str());
     std::printf(" | %10s %10s %10s %10s", "cleave", "prepare", "operate", "export");
-    for (std::size_t e = 1; e < engines.size(); ++e) std::printf(" %10s", engines[e].name.c_str());
+    for (const Engine& e : others) std::printf(" %10s", e.name.c_str());
     std::printf(" | %11s | %s\n", "runs", "MiB");
 }
 

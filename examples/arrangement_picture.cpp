@@ -81,7 +81,7 @@ class Arrangement {
 public:
     /// Requires: some operand touches the face.
     Arrangement(std::span<const Boundary<3>* const> boundaries, std::uint32_t face)
-        : operands_(boundaries), contacts_(operands_, nullptr, 0), labels_(operands_, contacts_) {
+        : operands_(boundaries), contacts_(operands_, {}, nullptr, 0), labels_(operands_, contacts_, {}, nullptr) {
         const std::span<const std::uint32_t> near = contacts_.near(0);
         const auto at = std::size_t(std::lower_bound(near.begin(), near.end(), face) - near.begin());
         records_ = contacts_.walk(0).of(face);

@@ -76,7 +76,8 @@ public:
     }
 
 private:
-    static constexpr std::uint64_t longest_step = 1u << 20;
+    /// Units may become dearer: of those that take 5 microseconds, this many pass before a request to stop is seen.
+    static constexpr std::uint64_t longest_step = 1u << 13;
 
     void look() {
         throw_if_stopped();

@@ -14,6 +14,7 @@
 
 #include <cleave/algebra/minors.hpp>
 #include <cleave/base/contract.hpp>
+#include <cleave/geometry/grid_meet.hpp>
 #include <cleave/geometry/handles.hpp>
 #include <cleave/geometry/plane_table.hpp>
 #include <cleave/geometry/point_record.hpp>
@@ -325,6 +326,11 @@ private:
         if constexpr (D == 3 && !filtering::always_fails) {
             Record& r = points_[p];
             if (r.kind != Record::Kind::meet || r.exact != no_id || is_infinite(p)) return false;
+            if (const auto x =
+                    grid_meet({&planes.exact(r.planes[0]), &planes.exact(r.planes[1]), &planes.exact(r.planes[2])})) {
+                place_at(r, *x);
+                return true;
+            }
             std::array<DoubleDoublePlane, 3> rows;
             for (std::size_t n = 0; n < 3; ++n) {
                 const auto& head = planes.approximation(r.planes[n]);
@@ -450,10 +456,15 @@ private:
             x[std::size_t(axis)] = planes.axis_position(k);
             if (!(x[std::size_t(axis)] == x[std::size_t(axis)])) return false;
         }
+        place_at(r, x);
+        return true;
+    }
+
+    /// Notes that a meet is a point of doubles.
+    static void place_at(Record& r, const std::array<double, D>& x) {
         r.approximation = x;
         r.error = 0;
         r.rounded = true;
-        return true;
     }
 
     /// Approximates the crossing of h with the segment ab by X = A + T (B - A), T = |DA| / (|DA| + |DB|).

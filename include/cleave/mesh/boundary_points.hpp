@@ -41,6 +41,13 @@ public:
 
     /// The turn p, q, r in a projection: plus where it is counter-clockwise. Requires: finite points.
     [[nodiscard]] Sign turn(PointId p, PointId q, PointId r, Projection projection) {
+        return turn(p, q, r, projection, [] { return false; });
+    }
+
+    /// The same where somebody may know without a computation that the points are on one line: `is_straight()` is asked
+    /// where the approximations do not decide.
+    template <class IsStraight>
+    [[nodiscard]] Sign turn(PointId p, PointId q, PointId r, Projection projection, IsStraight&& is_straight) {
         if (p == q || q == r || p == r) return Sign::zero;
         if constexpr (!filtering::always_fails) {
             const PointRecord<3>& a = boundary_->points[p];
@@ -50,6 +57,7 @@ public:
                                                            projection, std::max({a.error, b.error, c.error}));
             if (s) return *s;
         }
+        if (is_straight()) return Sign::zero;
         // One after the other: a reference into the kernel would not survive the next point.
         const PointId i = load(p);
         const PointId j = load(q);

@@ -35,6 +35,7 @@ struct FaceLoops {
     std::vector<std::uint32_t> first_loop{0};    ///< face i has loops [first_loop[i], first_loop[i + 1])
     std::vector<std::uint32_t> first_corner{0};  ///< loop l has corners [first_corner[l], first_corner[l + 1])
     std::vector<PointId> corners;
+    std::vector<PlaneId> edges;  ///< of the edge that starts at each corner; may be `no_id`, or all missing
 
     void end_loop() { first_corner.push_back(static_cast<std::uint32_t>(corners.size())); }
     void end_face(std::uint32_t face) {
@@ -54,7 +55,14 @@ struct FaceLoops {
 /// Predicates in the plane of one face.
 class FaceTests {
 public:
-    FaceTests(BoundaryPoints& points, PlaneId face) : points_(&points), projection_(points.projection_of(face)) {}
+    /// Face i of the loops.
+    FaceTests(BoundaryPoints& points, const Boundary<3>& boundary, const FaceLoops& loops, std::size_t i)
+        : points_(&points),
+          boundary_(&boundary),
+          loops_(&loops),
+          index_(i),
+          plane_(boundary.faces.faces[loops.faces[i]].plane),
+          projection_(points.projection_of(plane_)) {}
 
     /// The lexicographic order of the projected points.
     [[nodiscard]] bool less(PointId p, PointId q) {
@@ -64,10 +72,64 @@ public:
     }
 
     /// The turn p, q, r as seen from outside.
-    [[nodiscard]] Sign orient(PointId p, PointId q, PointId r) { return points_->turn(p, q, r, projection_); }
+    [[nodiscard]] Sign orient(PointId p, PointId q, PointId r) {
+        return points_->turn(p, q, r, projection_, [&] { return are_on_one_line(p, q, r); });
+    }
 
 private:
+    static constexpr std::size_t few = 16;  // corners that are looked through
+
+    /// Planes other than the face's own on which a point is said to lie: each is a line of the face.
+    struct Lines {
+        std::array<std::uint32_t, 5> planes;
+        std::size_t count = 0;
+
+        void add(std::uint32_t k) {
+            if (count < planes.size()) planes[count++] = k;
+        }
+        [[nodiscard]] bool contain(std::uint32_t k) const {
+            return std::find(planes.begin(), planes.begin() + std::ptrdiff_t(count), k) !=
+                   planes.begin() + std::ptrdiff_t(count);
+        }
+    };
+
+    /// Whether planes say so: those that the points were made of, and those of the edges that they end.
+    [[nodiscard]] bool are_on_one_line(PointId p, PointId q, PointId r) const {
+        const Lines of_p = lines(p);
+        const Lines of_q = lines(q);
+        const Lines of_r = lines(r);
+        return std::any_of(of_p.planes.begin(), of_p.planes.begin() + std::ptrdiff_t(of_p.count),
+                           [&](std::uint32_t k) { return of_q.contain(k) && of_r.contain(k); });
+    }
+
+    [[nodiscard]] Lines lines(PointId p) const {
+        Lines lines;
+        const auto add = [&](std::uint32_t k) {
+            if (k != unoriented(plane_)) lines.add(k);
+        };
+        const PointRecord<3>& record = boundary_->points[p];
+        if (record.kind == PointRecord<3>::Kind::meet)
+            for (const std::uint32_t k : record.planes) add(k);
+        const std::size_t first = loops_->first_loop[index_];
+        const std::size_t last = loops_->first_loop[index_ + 1];
+        if (loops_->edges.empty() || loops_->corners_of(index_).size() > few) return lines;
+        for (std::size_t l = first; l < last; ++l) {
+            const std::size_t begin = loops_->first_corner[l];
+            const std::size_t end = loops_->first_corner[l + 1];
+            for (std::size_t c = begin; c < end; ++c) {
+                if (loops_->corners[c] != p) continue;
+                for (const PlaneId h : {loops_->edges[c], loops_->edges[c == begin ? end - 1 : c - 1]})
+                    if (h != no_id) add(unoriented(h));
+            }
+        }
+        return lines;
+    }
+
     BoundaryPoints* points_;
+    const Boundary<3>* boundary_;
+    const FaceLoops* loops_;
+    std::size_t index_;
+    PlaneId plane_;
     Projection projection_;
 };
 
@@ -131,7 +193,7 @@ inline FacePieces triangulate_faces(const Boundary<3>& boundary, const FaceLoops
         if (loops.is_triangle(i)) {
             pieces.triangles.push_back({corners[0], corners[1], corners[2]});
         } else {
-            FaceTests tests(points, boundary.faces.faces[loops.faces[i]].plane);
+            FaceTests tests(points, boundary, loops, i);
             const std::uint32_t l = loops.first_loop[i];
             first.clear();
             for (std::uint32_t k = l; k <= loops.first_loop[i + 1]; ++k)
@@ -214,7 +276,10 @@ inline ConformingTriangles put_together(const Boundary<3>& boundary, const FaceL
         const FaceList::Face& face = boundary.faces.faces[f];
         if (face.loop_count == 1 && boundary.faces.loop(face.first_loop).size() == 3) continue;
         for (std::uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
-            for (const Corner& c : boundary.faces.loop(l)) loops.corners.push_back(c.point);
+            for (const Corner& c : boundary.faces.loop(l)) {
+                loops.corners.push_back(c.point);
+                loops.edges.push_back(c.edge);
+            }
             loops.end_loop();
         }
         loops.end_face(f);

@@ -3,6 +3,7 @@
 #ifndef CLEAVE_REGION_BUILD_HPP
 #define CLEAVE_REGION_BUILD_HPP
 
+#include <cleave/geometry/double_plane.hpp>
 #include <cleave/geometry/kernel_lines.hpp>
 #include <cleave/geometry/point_interner.hpp>
 #include <cleave/region/boundary.hpp>
@@ -27,12 +28,33 @@ template <int D>
     return h;
 }
 
+/// The plane through three points of doubles, the plus side where they are counter-clockwise. Requires: they are not on
+/// one line.
+inline PlaneId intern_plane_through(PlaneTable<3>& planes, const std::array<double, 3>& p,
+                                    const std::array<double, 3>& q, const std::array<double, 3>& r) {
+    if (std::optional<PrimitivePlane> h = small_plane_through(p, q, r))
+        return 2 * planes.intern_primitive(std::move(h->coefficients)) + (h->is_flipped ? 1U : 0U);
+    return planes.intern(plane_through(p, q, r));
+}
+
 /// The plane through the edge from u to v of a face on plane f and the coordinate direction most across the face,
 /// which is on its minus side. For edges with no other plane that would do.
 inline PlaneId plane_across(Kernel<3>& kernel, PlaneId f, PointId u, PointId v) {
-    const Homogeneous<3> across = axis_direction<3>(dominant_axis(kernel, unoriented(f)));
-    const std::optional<PlaneId> plane =
-        kernel.join(std::array<Homogeneous<3>, 3>{kernel.coordinates(u), kernel.coordinates(v), across});
+    const int axis = dominant_axis(kernel, unoriented(f));
+    const auto x = std::size_t(axis);
+    if (kernel.point(u).is_of_doubles() && kernel.point(v).is_of_doubles()) {
+        const std::array<double, 3>& p = kernel.point(u).approximation;
+        std::array<double, 3> r = p;
+        r[x] = p[x] == 0 ? 1 : 0;
+        const PlaneId plane = intern_plane_through(kernel.planes, p, kernel.point(v).approximation, r);
+        // Its normal m is (v - u) x (r - u), and the face's own n lies across the edge: m . (n x (v - u)), what the
+        // face is beside, has the sign of -n . (r - u).
+        const bool same_way =
+            (r[x] > p[x]) == ((kernel.planes.exact(unoriented(f))[x].sign() == Sign::plus) != is_flipped(f));
+        return same_way ? plane : flipped(plane);
+    }
+    const std::optional<PlaneId> plane = kernel.join(
+        std::array<Homogeneous<3>, 3>{kernel.coordinates(u), kernel.coordinates(v), axis_direction<3>(axis)});
     CLEAVE_ASSERT(plane.has_value());
     return orient_edge(kernel, f, *plane, u, v);
 }

@@ -91,9 +91,7 @@ public:
         const auto& p = position(i, c[0].point);
         const auto& q = position(i, c[1].point);
         const auto& r = position(i, c[2].point);
-        if (std::optional<PrimitivePlane> h = small_plane_through(p, q, r))
-            return known = 2 * kernel_.planes.intern_primitive(std::move(h->coefficients)) + (h->is_flipped ? 1U : 0U);
-        return known = kernel_.planes.intern(plane_through(p, q, r));
+        return known = intern_plane_through(kernel_.planes, p, q, r);
     }
 
     /// The side of face f's plane on which a point of some operand lies.
@@ -133,49 +131,45 @@ public:
             const Use& b = o.uses[n + 1];
             if (a.ends != b.ends || (n > 0 && o.uses[n - 1].ends == a.ends)) continue;
             if (n + 2 < o.uses.size() && o.uses[n + 2].ends == a.ends) continue;
-            o.twins[o.twin_index(a)] = {b.face, b.corner};
-            o.twins[o.twin_index(b)] = {a.face, a.corner};
+            o.twins[o.twin_index(a)] = {b.face, b.corner, no_id, no_id};
+            o.twins[o.twin_index(b)] = {a.face, a.corner, no_id, no_id};
         }
     }
 
     /// A name of the edge of face f that starts at corner c, which is the same for both faces at it; nullopt where they
     /// are not known, or more than two. Names of different edges differ.
     [[nodiscard]] std::optional<std::uint64_t> edge_name(std::uint32_t i, std::uint32_t f, std::uint32_t c) const {
-        const Twin twin = operands_[i].twin({0, f, c});
-        if (twin.corner == no_id) return std::nullopt;
-        return (std::uint64_t(i) << 32U) | std::min(c, twin.corner);
+        const Twin* const twin = operands_[i].twin({0, f, c});
+        if (twin == nullptr || twin->corner == no_id) return std::nullopt;
+        return (std::uint64_t(i) << 32U) | std::min(c, twin->corner);
     }
 
     /// A plane other than that of face f through the edge from a to b, which starts at corner c. Not oriented.
     std::uint32_t edge_plane(std::uint32_t i, std::uint32_t f, std::uint32_t c, PointId a, PointId b) {
-        const Operand& o = operands_[i];
+        Operand& o = operands_[i];
         const PlaneId given = o.boundary->faces.corners[c].edge;
         if (given != no_id) return table_plane(i, unoriented(given));
-        const std::uint32_t own = unoriented(plane(i, f));
-        std::uint32_t best = no_id;
-        if (const Twin twin = o.twin({0, f, c}); twin.face != no_id) {
-            best = unoriented(plane(i, twin.face));
-            if (best != own) return best;
-            return unoriented(plane_across(kernel_, plane(i, f), point(i, a), point(i, b)));
-        }
-        const Use first{ends(a, b), 0, 0};
-        for (auto u = std::lower_bound(o.uses.begin(), o.uses.end(), first); u != o.uses.end() && u->ends == first.ends;
-             ++u) {
-            const std::uint32_t k = unoriented(plane(i, u->face));
-            if (k != own && (best == no_id || k < best)) best = k;
-        }
-        if (best != no_id) return best;
-        return unoriented(plane_across(kernel_, plane(i, f), point(i, a), point(i, b)));
+        Twin* const twin = o.twin({0, f, c});
+        if (twin == nullptr) return find_edge_plane(i, f, a, b, no_id);
+        if (twin->plane == no_id) twin->plane = find_edge_plane(i, f, a, b, twin->face);
+        return twin->plane;
     }
 
     /// The same with face f on its minus side. `off`: a corner of the face that is not on the edge's line, beside the
     /// edge on the face's side; `no_id` where none is known.
     PlaneId oriented_edge_plane(std::uint32_t i, std::uint32_t f, std::uint32_t c, PointId a, PointId b, PointId off) {
-        const PlaneId given = boundary(i).faces.corners[c].edge;
+        Operand& o = operands_[i];
         const std::uint32_t k = edge_plane(i, f, c, a, b);
-        if (given != no_id) return 2 * k + (given & 1U);
-        if (off == no_id) return orient_edge(kernel_, plane(i, f), 2 * k, point(i, a), point(i, b));
-        return kernel_.side(2 * k, point(i, off)) == Sign::plus ? 2 * k + 1 : 2 * k;
+        if (const PlaneId given = o.boundary->faces.corners[c].edge; given != no_id) return 2 * k + (given & 1U);
+        Twin* const twin = o.twin({0, f, c});
+        if (twin != nullptr && twin->oriented != no_id) return twin->oriented;
+        PlaneId h = 2 * k;
+        if (off == no_id)
+            h = orient_edge(kernel_, plane(i, f), h, point(i, a), point(i, b));
+        else if (kernel_.side(h, point(i, off)) == Sign::plus)
+            h = flipped(h);
+        if (twin != nullptr) twin->oriented = h;
+        return h;
     }
 
 private:
@@ -190,10 +184,13 @@ private:
         }
     };
 
-    /// The only other face at an edge, and its corner where the edge starts.
+    /// The only other face at an edge, its corner where the edge starts, and planes of the edge once they were asked
+    /// for.
     struct Twin {
         std::uint32_t face = no_id;
         std::uint32_t corner = no_id;
+        std::uint32_t plane = no_id;
+        PlaneId oriented = no_id;
     };
 
     struct Operand {
@@ -210,11 +207,33 @@ private:
             const FaceList& list = boundary->faces;
             return first_twin[u.face] + (u.corner - list.loop_first[list.faces[u.face].first_loop]);
         }
-        [[nodiscard]] Twin twin(const Use& u) const {
-            if (first_twin.empty() || first_twin[u.face] == no_id) return {};
-            return twins[twin_index(u)];
+        /// nullptr where the face is not connected.
+        [[nodiscard]] const Twin* twin(const Use& u) const {
+            if (first_twin.empty() || first_twin[u.face] == no_id) return nullptr;
+            return &twins[twin_index(u)];
         }
+        [[nodiscard]] Twin* twin(const Use& u) { return const_cast<Twin*>(std::as_const(*this).twin(u)); }
     };
+
+    /// A plane through an edge that has none of its own: that of another face there, `twin` if that is the only one.
+    std::uint32_t find_edge_plane(std::uint32_t i, std::uint32_t f, PointId a, PointId b, std::uint32_t twin) {
+        const std::uint32_t own = unoriented(plane(i, f));
+        std::uint32_t best = no_id;
+        const auto offer = [&](std::uint32_t face) {
+            const std::uint32_t k = unoriented(plane(i, face));
+            if (k != own && (best == no_id || k < best)) best = k;
+        };
+        if (twin != no_id) {
+            offer(twin);
+        } else {
+            const Operand& o = operands_[i];
+            const Use first{ends(a, b), 0, 0};
+            for (auto u = std::lower_bound(o.uses.begin(), o.uses.end(), first);
+                 u != o.uses.end() && u->ends == first.ends; ++u)
+                offer(u->face);
+        }
+        return best != no_id ? best : unoriented(plane_across(kernel_, plane(i, f), point(i, a), point(i, b)));
+    }
 
     static std::uint64_t ends(PointId a, PointId b) {
         return a < b ? (std::uint64_t(a) << 32U) | b : (std::uint64_t(b) << 32U) | a;

@@ -187,8 +187,16 @@ private:
     /// with a copy of what both would reorder.
     void for_each_piece(BoxGroup<3> a, BoxGroup<3> b) {
         throw_if_stopped();
-        if (!b.keep_meeting(a.bounds) || !a.keep_meeting(b.bounds)) return;
-        if (executor_.concurrency() == 1 || a.boxes.size() + b.boxes.size() < 2 * grain) {
+        const bool is_large = executor_.concurrency() > 1 && a.boxes.size() + b.boxes.size() >= 2 * grain;
+        if (is_large) {
+            const Bounds<3> of_a = a.bounds;
+            const Bounds<3> of_b = b.bounds;
+            executor_.invoke([&] { a.keep_meeting(of_b); }, [&] { b.keep_meeting(of_a); });
+            if (a.boxes.empty() || b.boxes.empty()) return;
+        } else if (!b.keep_meeting(a.bounds) || !a.keep_meeting(b.bounds)) {
+            return;
+        }
+        if (!is_large) {
             std::vector<Key> found;
             std::size_t looked_at = 0;
             for_each_meeting_pair<3>(

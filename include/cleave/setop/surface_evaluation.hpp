@@ -53,7 +53,9 @@ public:
         for (std::uint32_t i = 0; i < operands_.count(); ++i)
             if (sound_) assemble(i);
         sound_ = sound_ && labels_.is_consistent();
-        if (sound_ && options.progress != nullptr) options.progress->finish();
+        if (!sound_) return;
+        boundary_ = result_.finish(function_(labels_.far()), options.executor, options.progress);
+        if (options.progress != nullptr) options.progress->finish();
     }
 
     /// Whether all that was found out fits together. It does unless an operand intersects itself; there is no result
@@ -69,15 +71,16 @@ public:
             counts_.points_located = labels_.located();
             *options_.counts = counts_;
         }
-        return result_.finish(function_(labels_.far()));
+        return std::move(boundary_);
     }
 
 private:
-    /// Pairs, contacts, labels and the result are a share of the work each, as large as the operands have faces.
+    /// Pairs, contacts, labels, what becomes of faces and the result are a share of the work each, as large as the
+    /// operands have faces.
     static std::size_t begin(std::span<const Boundary<3>* const> operands, ProgressReporter* progress) {
         std::size_t faces = 0;
         for (const Boundary<3>* b : operands) faces += b->faces.faces.size();
-        if (progress != nullptr) progress->begin("faces", 4 * faces);
+        if (progress != nullptr) progress->begin("faces", 5 * faces);
         return faces;
     }
 
@@ -160,7 +163,7 @@ private:
     void copy(std::uint32_t i, std::uint32_t f, Action a) {
         if (a == Action::drop) return;
         ++counts_.faces_whole;
-        result_.add_copy(i, f, a == Action::flip);
+        result_.add_copies(i, f, f + 1, a == Action::flip);
     }
 
     void assemble_touched(std::uint32_t i, std::uint32_t f, const FaceRecords& records) {
@@ -231,11 +234,7 @@ private:
         const PlaneId plane = operands_.plane(i, f);
         merger_.begin(what == Action::keep ? plane : flipped(plane));
         for (const OutEdge& e : edges_) merger_.add_edge(e.from, e.to, edge_plane(i, f, records, e, !plain));
-        faces_.faces.clear();
-        faces_.loop_first.assign(1, 0);
-        faces_.corners.clear();
-        merger_.finish_conforming(faces_, {i, f});
-        result_.add_faces(faces_);
+        result_.add_faces([&](FaceList& list) { merger_.finish_conforming(list, {i, f}); });
     }
 
     /// The plane of an edge of the result, the result's part of the face on its minus side; `no_id` where nobody will
@@ -276,7 +275,7 @@ private:
     std::vector<std::pair<Action, Action>> actions_;
     std::vector<OutEdge> edges_;
     std::vector<PointId> ends_;
-    FaceList faces_;
+    Boundary<3> boundary_;
     OperationCounts counts_;
     bool sound_ = true;
 };

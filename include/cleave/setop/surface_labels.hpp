@@ -40,7 +40,7 @@ public:
           locators_(operands.count()) {
         for (std::uint32_t i = 0; i < operands.count(); ++i)
             if (operands.boundary(i).value_at_infinity) far_ |= Bits(1) << i;
-        join_untouched(executor);
+        join_untouched(executor, progress);
         for (std::uint32_t i = 0; i < operands.count(); ++i) cut_faces(i, progress);
         patches_.close();
     }
@@ -114,21 +114,23 @@ private:
     };
 
     /// Joins the corners of faces without contacts. No two operands have a vertex in common, so they go side by side.
-    void join_untouched(ExecutorRef executor) {
+    void join_untouched(ExecutorRef executor, const ProgressReporter* progress) {
         std::vector<Notes> notes(operands_->count());
-        executor.for_each_index(operands_->count(),
-                                [&](std::size_t i) { join_untouched(static_cast<std::uint32_t>(i), notes[i]); });
+        executor.for_each_index(operands_->count(), [&](std::size_t i) {
+            join_untouched(static_cast<std::uint32_t>(i), progress, notes[i]);
+        });
         for (const Notes& n : notes) {
             for (const Note& o : n.outside) patches_.learn(o.v, o.operands, far_);
             for (const Note& l : n.links) patches_.link(l.v, l.w, l.operands);
         }
     }
 
-    void join_untouched(std::uint32_t i, Notes& notes) {
+    void join_untouched(std::uint32_t i, const ProgressReporter* progress, Notes& notes) {
         const FaceList& list = operands_->boundary(i).faces;
         RecordWalk walk = contacts_->walk(i);
         std::vector<bool> seen(operands_->boundary(i).points.size(), false);
         for (const std::uint32_t f : contacts_->near(i)) {
+            if (f % 4096 == 0 && progress != nullptr) progress->throw_if_stopped();
             for (const Corner& c : list.corners_of(f)) {
                 if (seen[c.point]) continue;
                 seen[c.point] = true;
