@@ -24,6 +24,8 @@
 /// | geometry/residues        | minors and doubles modulo 2^61-1                                                   |
 /// | geometry/bounds          | boxes around points known up to an error                                           |
 /// | geometry/rounded_meet    | correctly rounded coordinates of its points without an integer                      |
+/// | geometry/grid_meet       | the same in machine words, for planes of small coefficients that meet at a double | |
+/// geometry/box_pairs, geometry/rough_box | which boxes meet, with boxes of doubles or, faster, of floats           |
 /// | geometry/double_predicates, geometry/double_plane | orientation of points of doubles, planes through them       |
 /// | geometry/kernel_lines    | its lines                                                                          |
 /// | geometry/kernel_turn     | orientation of its points in a projection                                          |
@@ -45,6 +47,7 @@
 #include <cleave/geometry/cross_point.hpp>
 #include <cleave/geometry/double_plane.hpp>
 #include <cleave/geometry/double_predicates.hpp>
+#include <cleave/geometry/grid_meet.hpp>
 #include <cleave/geometry/handles.hpp>
 #include <cleave/geometry/interning.hpp>
 #include <cleave/geometry/kernel.hpp>
@@ -61,6 +64,7 @@
 #include <cleave/geometry/point_record.hpp>
 #include <cleave/geometry/relation.hpp>
 #include <cleave/geometry/residues.hpp>
+#include <cleave/geometry/rough_box.hpp>
 #include <cleave/geometry/rounded_meet.hpp>
 #include <cleave/geometry/segment_pairs.hpp>
 #include <cleave/geometry/side.hpp>

@@ -58,7 +58,7 @@ inline std::optional<double> quotient(Int128 n, Int128 w) {
             if (!x.fits_int64()) return std::nullopt;
             const std::int64_t v = x.to_int64();
             const std::int64_t most = i == 0 ? longest_offset : longest_normal;
-            if (v > most || -v > most) return std::nullopt;
+            if (v > most || v < -most) return std::nullopt;
             h[n][3 - i] = v;
         }
     const auto minor = [&](std::size_t i, std::size_t j) {

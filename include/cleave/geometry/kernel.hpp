@@ -141,7 +141,7 @@ public:
     const Exact& exact(PointId p) {
         Record& r = points_[p];
         if (r.exact == no_id) {
-            r.exact = store(r.is_of_doubles() ? from_doubles(r.approximation) : meet(r.planes));
+            r.exact = store(r.is_of_doubles() ? homogeneous_of<D>(r.approximation) : meet(r.planes));
             if (!r.is_of_doubles()) ++counts_.exact_points;
             if (is_infinite(p)) reaches_.emplace(r.exact, meet_reach(r.planes));
         }
@@ -228,22 +228,6 @@ public:
         return x;
     }
 
-    /// Homogeneous integers of a point given by doubles; the weight is a power of two.
-    static Exact from_doubles(const std::array<double, D>& x) {
-        std::array<DoubleParts, D> parts;
-        std::int64_t low = 0;
-        for (std::size_t i = 0; i < D; ++i) {
-            parts[i] = decompose(x[i]);
-            if (parts[i].mantissa != 0) low = parts[i].exponent < low ? parts[i].exponent : low;
-        }
-        Exact e;
-        for (std::size_t i = 0; i < D; ++i)
-            e[i] = parts[i].mantissa == 0 ? Integer()
-                                          : Integer::scaled(parts[i].mantissa, unsigned(parts[i].exponent - low));
-        e[D] = Integer::scaled(1, unsigned(-low));
-        return e;
-    }
-
     /// The meet of D planes of the table. Requires: they meet in one point.
     Exact meet(const std::array<std::uint32_t, D>& through) const {
         RowsView<D, D + 1, Integer> rows{};
@@ -299,7 +283,7 @@ public:
     /// A copy of the exact coordinates of p; not kept for points whose approximation is exact.
     Exact coordinates(PointId p) {
         const Record& r = points_[p];
-        return r.is_of_doubles() ? from_doubles(r.approximation) : exact(p);
+        return r.is_of_doubles() ? homogeneous_of<D>(r.approximation) : exact(p);
     }
 
 private:
@@ -416,7 +400,7 @@ private:
         const Record& r = points_[p];
         WideInteger sum;
         if (r.is_of_doubles()) {
-            const Exact e = from_doubles(r.approximation);
+            const Exact e = homogeneous_of<D>(r.approximation);
             for (std::size_t i = 0; i <= D; ++i) add_product(sum, n[i], e[i]);
         } else {
             const Exact& e = exact(p);

@@ -4,8 +4,10 @@
 #define CLEAVE_GEOMETRY_POINT_RECORD_HPP
 
 #include <cleave/geometry/handles.hpp>
+#include <cleave/number/double.hpp>
 #include <cleave/number/integer.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +17,22 @@ CLEAVE_BEGIN_NAMESPACE
 /// Homogeneous integer coordinates X_1, ..., X_D and a weight W > 0.
 template <int D>
 using Homogeneous = std::array<Integer, D + 1>;
+
+/// Those of a point given by finite doubles; the weight is a power of two.
+template <int D>
+[[nodiscard]] Homogeneous<D> homogeneous_of(const std::array<double, D>& x) {
+    std::array<DoubleParts, D> parts;
+    int low = 0;
+    for (std::size_t i = 0; i < D; ++i) {
+        parts[i] = decompose(x[i]);
+        if (parts[i].mantissa != 0) low = std::min(low, parts[i].exponent);
+    }
+    Homogeneous<D> h;
+    for (std::size_t i = 0; i < D; ++i)
+        if (parts[i].mantissa != 0) h[i] = Integer::scaled(parts[i].mantissa, unsigned(parts[i].exponent - low));
+    h[D] = Integer::scaled(1, unsigned(-low));
+    return h;
+}
 
 /// What is known of one point. `planes` are unoriented planes through it (`no_id` where unknown); a meet has D of them.
 template <int D>

@@ -103,7 +103,7 @@ private:
     /// The point of the plane above the rounded position.
     Homogeneous<3> lifted(PlaneId plane) {
         position_[std::size_t(axis_)] = 0;
-        const Homogeneous<3> at = Kernel<3>::from_doubles(position_);
+        const Homogeneous<3> at = homogeneous_of<3>(position_);
         const auto& n = kernel().planes.exact(unoriented(plane));
         const auto a = std::size_t(axis_);
         Homogeneous<3> out;

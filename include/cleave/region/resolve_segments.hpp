@@ -290,7 +290,7 @@ private:
         middle[u] =
             kernel_.point(piece.from.point).approximation[u] / 2 + kernel_.point(piece.to.point).approximation[u] / 2;
         if (std::isfinite(middle[u])) {
-            const Homogeneous<2> at = Kernel<2>::from_doubles(middle);
+            const Homogeneous<2> at = homogeneous_of<2>(middle);
             const auto& n = kernel_.planes.exact(unoriented(segments_[piece.segment].line));
             WideInteger height(n[2] * WideInteger(at[2]));
             add_product(height, n[u], at[u]);

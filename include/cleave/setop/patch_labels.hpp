@@ -59,11 +59,20 @@ public:
         facts_ = {};
     }
 
-    /// The bits of a's label that are known. Requires, as for all that follows: closed.
-    [[nodiscard]] Bits known(std::uint32_t a) { return patches_[patch(a)].known; }
+    /// What is known of a label. Bits that are not known have the value 0.
+    struct Label {
+        Bits known = 0;
+        Bits value = 0;
+    };
+
+    /// All about a's label. Requires, as for all that follows: closed.
+    [[nodiscard]] const Label& at(std::uint32_t a) { return patches_[patch(a)]; }
+
+    /// The bits of a's label that are known.
+    [[nodiscard]] Bits known(std::uint32_t a) { return at(a).known; }
 
     /// The label of a; bits that are not known are 0.
-    [[nodiscard]] Bits label(std::uint32_t a) { return patches_[patch(a)].value; }
+    [[nodiscard]] Bits label(std::uint32_t a) { return at(a).value; }
 
     /// The bits `which` of vertex a's label are those of `value`.
     void tell(std::uint32_t a, Bits which, Bits value) {
@@ -79,10 +88,6 @@ public:
     [[nodiscard]] bool is_consistent() const noexcept { return consistent_; }
 
 private:
-    struct Patch {
-        Bits known = 0;
-        Bits value = 0;
-    };
     struct Fact {
         Bits which, value;
         std::uint32_t vertex;
@@ -104,11 +109,11 @@ private:
 
     /// Returns: whether anything is new.
     bool set(std::uint32_t p, Bits which, Bits value) {
-        Patch& at = patches_[p];
-        if (((at.value ^ value) & which & at.known) != 0) consistent_ = false;
-        const Bits fresh = which & ~at.known;
-        at.value |= value & fresh;
-        at.known |= fresh;
+        Label& label = patches_[p];
+        if (((label.value ^ value) & which & label.known) != 0) consistent_ = false;
+        const Bits fresh = which & ~label.known;
+        label.value |= value & fresh;
+        label.known |= fresh;
         return fresh != 0;
     }
 
@@ -140,7 +145,7 @@ private:
 
     DisjointSets sets_;
     std::vector<std::uint32_t> patch_;  // of the vertices that name sets
-    std::vector<Patch> patches_;
+    std::vector<Label> patches_;
     std::vector<Fact> facts_;
     std::vector<Link> links_;  // between vertices, and between patches when closed
     std::vector<std::uint32_t> first_link_, link_of_;

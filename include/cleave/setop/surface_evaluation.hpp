@@ -107,6 +107,8 @@ private:
 
     void assemble(std::uint32_t i) {
         const Boundary<3>& b = operands_.boundary(i);
+        Bits last_inside = 0;  // neighbours have much in common
+        Action last_action = action(i, {0, 0});
         const Action beyond = action(i, {labels_.far(), labels_.far()});
         const std::span<const std::uint32_t> near = contacts_.near(i);
         std::size_t at = 0;
@@ -129,7 +131,11 @@ private:
             }
             const Bits inside = labels_.containing(i, first_corner(i, b.faces.faces[f].first_loop));
             if (has_one_label(i, f, inside)) {
-                copy(i, f, action(i, {inside, inside}));
+                if (inside != last_inside) {
+                    last_inside = inside;
+                    last_action = action(i, {inside, inside});
+                }
+                copy(i, f, last_action);
                 continue;
             }
             // A face in several pieces, on different sides of operands that do not touch it.

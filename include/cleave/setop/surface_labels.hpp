@@ -75,8 +75,11 @@ public:
     /// The operands that contain vertex p of operand i. Requires: it is on no other operand's boundary.
     Bits containing(std::uint32_t i, PointId p) {
         const std::uint32_t v = operands_->vertex(i, p);
-        find(i, p, contacts_->neighbours(i) & ~patches_.known(v));
-        return (patches_.label(v) & contacts_->neighbours(i)) | far(i);
+        const Bits neighbours = contacts_->neighbours(i);
+        const PatchLabels::Label label = patches_.at(v);
+        if ((neighbours & ~label.known) == 0) return (label.value & neighbours) | far(i);
+        find(i, p, neighbours & ~label.known);
+        return (patches_.label(v) & neighbours) | far(i);
     }
 
     /// Whether no two contacts contradict each other. They do where an operand intersects itself.

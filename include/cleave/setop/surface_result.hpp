@@ -135,10 +135,25 @@ private:
         const std::uint32_t origin = operands_->origin(p);
         return origin != no_id ? origin : kernel_slots_ + p;
     }
+
+    /// Where the slots of a list's points begin that their faces refer to: an operand's, or the kernel's (`no_id`). An
+    /// operand's vertex that has another slot is dealt with apart (`for_each_elsewhere`).
     [[nodiscard]] std::size_t slot(std::uint32_t i, PointId p) const {
-        if (i == no_id) return kernel_slot(p);
-        const PointId known = operands_->known_point(i, p);
-        return known != no_id ? kernel_slot(known) : operands_->vertex(i, p);
+        return i == no_id ? kernel_slot(p) : operands_->vertex(i, p);
+    }
+
+    /// Calls f(own, slot) for the vertices whose slot is not their own.
+    template <class F>
+    void for_each_elsewhere(F&& f) const {
+        for (std::uint32_t i = 0; i < operands_->count(); ++i)
+            for_each_piece(operands_->boundary(i).points.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+                for (auto p = static_cast<PointId>(begin); p < end; ++p) {
+                    const PointId known = operands_->known_point(i, p);
+                    if (known == no_id) continue;
+                    const std::size_t own = operands_->vertex(i, p);
+                    if (const std::size_t slot = kernel_slot(known); slot != own) f(own, slot);
+                }
+            });
     }
 
     /// Whoever marks an entry says the same; pieces may do so at once.
@@ -172,6 +187,12 @@ private:
                     mark_plane(run.operand, c.edge);
                 }
             }
+        });
+        // Nobody's slot is elsewhere's, so pieces do not disturb each other.
+        for_each_elsewhere([&](std::size_t own, std::size_t slot) {
+            if (points_[own] == no_id) return;
+            points_[own] = no_id;
+            mark(points_[slot]);
         });
         for (PointId p = 0; p < kernel.point_count(); ++p)
             if (points_[kernel_slot(p)] != no_id && !(kernel.point(p).error < std::numeric_limits<double>::infinity()))
@@ -303,6 +324,7 @@ private:
 
     void fill_faces() {
         FaceList& out = out_.faces;
+        for_each_elsewhere([&](std::size_t own, std::size_t slot) { points_[own] = points_[slot]; });
         for_each_part([&](const Run& run, std::uint32_t first, std::uint32_t last) {
             const FaceList& from = list(run);
             const Extent start = before(from, run.first);
@@ -313,6 +335,18 @@ private:
             std::vector<Corner> loop;
             for (std::uint32_t f = first; f < last; ++f) {
                 const FaceList::Face& face = from.faces[f];
+                if (face.plane == no_id) {  // a triangle; only operands have such
+                    const Corner* const c = from.corners.data() + from.loop_first[face.first_loop];
+                    const std::uint32_t* const number = points_.data() + operands_->vertex(run.operand, 0);
+                    Corner* const to = out.corners.data() + c_out;
+                    to[0] = {number[c[0].point], no_id};
+                    to[run.flip ? 2 : 1] = {number[c[1].point], no_id};
+                    to[run.flip ? 1 : 2] = {number[c[2].point], no_id};
+                    c_out += 3;
+                    out.faces[f_out++] = {no_id, static_cast<std::uint32_t>(l_out), 1, {run.operand, f}};
+                    out.loop_first[++l_out] = static_cast<std::uint32_t>(c_out);
+                    continue;
+                }
                 PlaneId h = plane(run.operand, face.plane);
                 if (run.flip && h != no_id) h = flipped(h);
                 out.faces[f_out++] = {h, static_cast<std::uint32_t>(l_out), face.loop_count,

@@ -2,11 +2,14 @@
 #include <cleave/region/build.hpp>
 //
 #include "support/catch.hpp"
+#include "support/dice.hpp"
 #include "support/region_checker.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 using namespace cleave;
@@ -201,3 +204,32 @@ TEST_CASE("polygon builder: a segment needs two different ends") {
     CHECK(builder.finish().faces.empty());
 }
 #endif
+
+TEST_CASE("build: the plane across an edge contains it, is parallel to an axis and has the face on its minus side") {
+    support::Dice dice(51);
+    for (int n = 0; n < 2000; ++n) {
+        Kernel<3> kernel;
+        const double scale = std::array{1.0, 0x1p-60, 0.1}[std::size_t(n % 3)];
+        std::array<std::array<double, 3>, 3> x{};
+        for (auto& p : x)
+            for (double& c : p) c = scale * dice.between(-5, 5);
+        std::array<PointId, 3> p{};
+        for (std::size_t i = 0; i < 3; ++i) p[i] = kernel.add_point(x[i]);
+        std::optional<PlaneId> plane = kernel.join(p);
+        if (!plane) continue;
+        // Seen from the other side, the same edge has the face on its right.
+        for (const bool other_side : {false, true}) {
+            const PlaneId f = other_side ? flipped(*plane) : *plane;
+            const PointId u = other_side ? p[1] : p[0];
+            const PointId v = other_side ? p[0] : p[1];
+            const PlaneId h = plane_across(kernel, f, u, v);
+            CHECK(kernel.side(h, u) == Sign::zero);
+            CHECK(kernel.side(h, v) == Sign::zero);
+            CHECK(kernel.side(h, p[2]) == Sign::minus);
+            CHECK(contains_axis(kernel, h, std::size_t(dominant_axis(kernel, unoriented(f)))));
+        }
+        // The general way: of points that are not known to be doubles.
+        const auto integers = [&](std::size_t i) { return kernel.add_point(kernel.coordinates(p[i])); };
+        CHECK(plane_across(kernel, *plane, integers(0), integers(1)) == plane_across(kernel, *plane, p[0], p[1]));
+    }
+}

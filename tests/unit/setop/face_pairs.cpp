@@ -2,6 +2,7 @@
 #include <cleave/setop/face_pairs.hpp>
 //
 #include <cleave/execution/thread_pool.hpp>
+#include <cleave/mesh/from_region.hpp>
 #include <cleave/mesh/to_region.hpp>
 
 #include "support/catch.hpp"
@@ -108,6 +109,38 @@ TEST_CASE("face pairs: many faces, in pieces on several threads") {
         CHECK(several.box_pair_count() == one.box_pair_count());
         for (const std::uint32_t i : {0U, 1U})
             CHECK(std::equal(one.near(i).begin(), one.near(i).end(), several.near(i).begin(), several.near(i).end()));
+    }
+}
+
+TEST_CASE("face pairs: solids that are tiny beside the distance between them") {
+    Dice dice(24);
+    // Far away, so that all of the cubes fall into a few floats.
+    const auto with_far_cube = [](Region<3> near) {
+        Mesh mesh = to_mesh(near);
+        const Mesh cube = meshes::cube();
+        const auto first = static_cast<std::uint32_t>(mesh.points.size());
+        for (const auto& p : cube.points) mesh.points.push_back({p[0] + 0x1p40, p[1] + 0x1p40, p[2] - 0x1p40});
+        for (std::size_t f = 0; f < cube.face_count(); ++f) {
+            std::vector<std::uint32_t> corners;
+            for (const std::uint32_t corner : cube.face(f)) corners.push_back(first + corner);
+            mesh.add_face(corners);
+        }
+        return to_region(mesh);
+    };
+    for (const double shift : {0.0, 0.5}) {
+        const Region<3> a = with_far_cube(cubes(dice, 4, true, 0));
+        const Region<3> b = with_far_cube(cubes(dice, 4, true, shift));
+        const std::array<const Boundary<3>*, 2> boundaries{&a.surface(), &b.surface()};
+        SurfaceOperands operands(boundaries);
+        FaceContact contact(operands);
+        const std::vector<FacePair> expected = by_force(operands, contact);
+        CHECK(expected.size() > 100);
+        const FacePairs found(operands, contact, {}, nullptr);
+        CHECK(same(expected, found.pairs()));
+        // Each face was compared with few others.
+        CHECK(found.box_pair_count() < 20 * a.surface().faces.faces.size());
+        const ThreadPool pool(3);
+        CHECK(same(expected, FacePairs(operands, contact, pool, nullptr).pairs()));
     }
 }
 
