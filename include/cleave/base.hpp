@@ -9,6 +9,7 @@
 #include <cleave/base/contract.hpp>
 #include <cleave/base/disjoint_sets.hpp>
 #include <cleave/base/error.hpp>
+#include <cleave/base/large_vector.hpp>
 #include <cleave/base/operation.hpp>
 #include <cleave/base/source.hpp>
 #include <cleave/base/winding_rule.hpp>

@@ -51,22 +51,22 @@ private:
 
 }  // namespace detail
 
-/// The values f(0), ..., f(n - 1). Cost: each is written once; to resize a vector and then to assign would write twice,
-/// to append would ask each time whether there is room.
-template <class F>
+/// The values f(0), ..., f(n - 1), in a std::vector unless another list is named. Cost: each is written once; to resize
+/// a vector and then to assign would write twice, to append would ask each time whether there is room.
+template <template <class...> class List = std::vector, class F>
 [[nodiscard]] auto tabulate(std::size_t n, const F& f) {
     using Iterator = detail::TableIterator<F>;
-    return std::vector<typename Iterator::value_type>(Iterator(f, 0), Iterator(f, n));
+    return List<typename Iterator::value_type>(Iterator(f, 0), Iterator(f, n));
 }
 
 /// The same, the values asked for in any order or at once. Requires: a default value can be made, and is not bool.
-template <Executor E, class F>
+template <template <class...> class List = std::vector, Executor E, class F>
 [[nodiscard]] auto tabulate(const E& executor, std::size_t n, const F& f) {
     constexpr std::size_t grain = std::size_t(1) << 13U;
-    if (executor.concurrency() == 1 || n <= grain) return tabulate(n, f);
+    if (executor.concurrency() == 1 || n <= grain) return tabulate<List>(n, f);
     using Value = std::invoke_result_t<const F&, std::size_t>;
     static_assert(!std::is_same_v<Value, bool>, "neighbours of std::vector<bool> cannot be written at once");
-    std::vector<Value> values(n);
+    List<Value> values(n);
     for_each_chunk(executor, n, grain, [&](std::size_t begin, std::size_t end, std::size_t) {
         for (std::size_t i = begin; i < end; ++i) values[i] = f(i);
     });

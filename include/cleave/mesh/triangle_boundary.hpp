@@ -32,19 +32,20 @@ namespace detail {
     out.is_conforming = true;
     const std::size_t faces = mesh.face_count();
     const auto fill_faces = [&] {
-        out.faces.faces = tabulate(faces, [](std::size_t f) {
+        out.faces.faces = tabulate<LargeVector>(faces, [](std::size_t f) {
             return FaceList::Face{no_id, static_cast<std::uint32_t>(f), 1, {0, static_cast<std::uint32_t>(f)}};
         });
-        out.faces.loop_first = tabulate(faces + 1, [](std::size_t f) { return static_cast<std::uint32_t>(3 * f); });
+        out.faces.loop_first =
+            tabulate<LargeVector>(faces + 1, [](std::size_t f) { return static_cast<std::uint32_t>(3 * f); });
     };
     const auto fill_corners = [&] {
-        out.faces.corners = tabulate(executor, mesh.corners.size(), [&](std::size_t c) {
+        out.faces.corners = tabulate<LargeVector>(executor, mesh.corners.size(), [&](std::size_t c) {
             return Corner{id[mesh.corners[c]], no_id};
         });
     };
     const auto fill_points = [&] {
         Bounds<3> bounds;
-        out.points = tabulate(order.size(), [&](std::size_t k) {
+        out.points = tabulate<LargeVector>(order.size(), [&](std::size_t k) {
             PointRecord<3> r;
             for (std::size_t x = 0; x < 3; ++x) r.approximation[x] = mesh.points[order[k]][x] + 0.0;  // one zero
             bounds.include(r.approximation, 0);

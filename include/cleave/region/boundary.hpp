@@ -4,6 +4,7 @@
 #ifndef CLEAVE_REGION_BOUNDARY_HPP
 #define CLEAVE_REGION_BOUNDARY_HPP
 
+#include <cleave/base/large_vector.hpp>
 #include <cleave/base/source.hpp>
 #include <cleave/clip/kernel_clip.hpp>
 #include <cleave/geometry/kernel.hpp>
@@ -27,9 +28,9 @@ struct FaceList {
         Source source;
     };
 
-    std::vector<Face> faces;
-    std::vector<std::uint32_t> loop_first{0};  ///< loop l owns corners [loop_first[l], loop_first[l+1])
-    std::vector<Corner> corners;
+    LargeVector<Face> faces;
+    LargeVector<std::uint32_t> loop_first{0};  ///< loop l owns corners [loop_first[l], loop_first[l+1])
+    LargeVector<Corner> corners;
 
     [[nodiscard]] std::span<const Corner> loop(std::size_t l) const {
         return {corners.data() + loop_first[l], loop_first[l + 1] - loop_first[l]};
@@ -67,7 +68,7 @@ struct FaceList {
 template <int D>
 struct Boundary {
     PlaneTable<D> planes;
-    std::vector<PointRecord<D>> points;
+    LargeVector<PointRecord<D>> points;
     std::vector<Homogeneous<D>> exact;  ///< of the points whose record says so
     FaceList faces;
     Bounds<D> bounds;

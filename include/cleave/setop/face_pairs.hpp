@@ -205,7 +205,9 @@ private:
                 const OperandPair pair{i, j};
                 for_each_piece(pair, Group(first), Group(second));
                 box_pair_count_ += keys_.size();
+                throw_if_stopped();
                 sort_keys(i);
+                throw_if_stopped();
                 compare_planes(i, j);
             }
     }

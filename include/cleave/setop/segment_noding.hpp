@@ -80,18 +80,17 @@ private:
     }
 
     void find_crossings() {
-        const bool several = operands_->count() > 2;
         inside_.clear();
-        bool any = several;
+        const bool any =
+            operands_->count() > 2 || std::any_of(segments_->begin(), segments_->end(), [](const CommonSegment& c) {
+                return (c.corner[0] == no_id) != (c.corner[1] == no_id);
+            });
+        if (!any) return;
         for (std::size_t s = 0; s < segments_->size(); ++s) {
             const CommonSegment& c = (*segments_)[s];
-            for (const std::size_t slot : {std::size_t(0), std::size_t(1)}) {
-                if (c.corner[slot] != no_id) continue;
-                inside_.push_back({c.operand[slot], c.face[slot], s, slot});
-                any = any || c.corner[1 - slot] != no_id;
-            }
+            for (const std::size_t slot : {std::size_t(0), std::size_t(1)})
+                if (c.corner[slot] == no_id) inside_.push_back({c.operand[slot], c.face[slot], s, slot});
         }
-        if (!any) return;
         std::sort(inside_.begin(), inside_.end());
         for (std::size_t n = 0; n < inside_.size();) {
             std::size_t end = n;

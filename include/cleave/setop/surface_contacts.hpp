@@ -85,15 +85,20 @@ private:
 
     /// Makes neighbours known among the faces that may be cut.
     void connect() {
-        std::vector<std::vector<std::uint32_t>> faces(operands_->count());
-        for (const FacePair& p : faces_.pairs()) {
-            if (faces[p.i].empty() || faces[p.i].back() != p.f) faces[p.i].push_back(p.f);
-            faces[p.j].push_back(p.g);
-        }
+        std::vector<std::vector<bool>> paired(operands_->count());
+        for (const FacePair& p : faces_.pairs())
+            for (const auto& [i, f] : {std::pair(p.i, p.f), std::pair(p.j, p.g)}) {
+                if (paired[i].empty()) paired[i].resize(operands_->boundary(i).faces.faces.size());
+                paired[i][f] = true;
+            }
+        std::vector<std::uint32_t> faces;
         for (std::uint32_t i = 0; i < operands_->count(); ++i) {
-            std::sort(faces[i].begin(), faces[i].end());
-            faces[i].erase(std::unique(faces[i].begin(), faces[i].end()), faces[i].end());
-            operands_->connect(i, faces[i]);
+            if (progress_ != nullptr) progress_->throw_if_stopped();
+            faces.clear();
+            if (!paired[i].empty())
+                for (const std::uint32_t f : faces_.near(i))
+                    if (paired[i][f]) faces.push_back(f);
+            operands_->connect(i, faces);
         }
     }
 

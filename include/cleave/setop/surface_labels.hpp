@@ -41,6 +41,10 @@ public:
         for (std::uint32_t i = 0; i < operands.count(); ++i)
             if (operands.boundary(i).value_at_infinity) far_ |= Bits(1) << i;
         join_untouched(executor, progress);
+        // At least so many, nearly always; to move them again and again would take long.
+        std::size_t points = 0;
+        for (std::uint32_t i = 0; i < operands.count(); ++i) points += contacts.points(i).size();
+        pieces_.reserve(points);
         for (std::uint32_t i = 0; i < operands.count(); ++i) cut_faces(i, progress);
         patches_.close();
     }

@@ -266,15 +266,22 @@ private:
 
     /// Fresh memory costs about as much as what is written there: the lists share the threads.
     void make_room(std::size_t points, std::size_t exact) {
+        const auto lengthen = [&](auto& list, std::size_t size) {
+            list.reserve(size);
+            while (list.size() < size) {
+                throw_if_stopped();
+                list.resize(std::min(size, list.size() + 16 * grain));
+            }
+        };
         executor_.for_each_index(3, [&](std::size_t which) {
             if (which == 0) {
-                out_.points.resize(points);
-                out_.exact.resize(exact);
+                lengthen(out_.points, points);
+                lengthen(out_.exact, exact);
             } else if (which == 1) {
-                out_.faces.faces.resize(size_.faces);
+                lengthen(out_.faces.faces, size_.faces);
             } else {
-                out_.faces.loop_first.resize(size_.loops + 1);
-                out_.faces.corners.resize(size_.corners);
+                lengthen(out_.faces.loop_first, size_.loops + 1);
+                lengthen(out_.faces.corners, size_.corners);
             }
         });
     }
