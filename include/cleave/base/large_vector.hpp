@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
+#include <memory>
 #include <new>
 #include <vector>
 
@@ -41,7 +42,7 @@ public:
             return static_cast<T*>(memory);
         }
 #endif
-        return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t(alignof(T))));
+        return std::allocator<T>().allocate(n);
     }
 
     void deallocate(T* memory, std::size_t n) noexcept {
@@ -51,7 +52,7 @@ public:
             return;
         }
 #endif
-        ::operator delete(memory, n * sizeof(T), std::align_val_t(alignof(T)));
+        std::allocator<T>().deallocate(memory, n);
     }
 
     template <class U>
