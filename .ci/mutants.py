@@ -118,7 +118,8 @@ MUTANTS = {
         "setop/surface_evaluation.hpp", "if (((s.above ^ s.below) & (own - 1)) != 0) return Action::drop;", "",
         "unit/setop/surface_evaluation.cpp"),
     "surface: segments that overlap are not cut": (
-        "setop/segment_noding.hpp", "any = any || c.corner[1 - slot] != no_id;", "",
+        "setop/segment_noding.hpp", "return (c.corner[0] == no_id) != (c.corner[1] == no_id);",
+        "return c.operand[0] == no_id;",
         "unit/setop/surface_evaluation.cpp"),
     "surface: a point where the other boundary touches itself tells by one face": (
         "setop/contact_sides.hpp",
@@ -209,6 +210,26 @@ MUTANTS = {
     "face pairs: touching is lying apart": (
         "setop/face_pairs.hpp", "return signs != 0 && signs != all_plus;",
         "return (signs & 0b101010U) != signs && (signs & 0b101010U) != 0;", "unit/setop/face_pairs.cpp"),
+    "face pairs: floats decide, however close everything is": (
+        "setop/face_pairs.hpp", "if (!are_too_fine(x, y)) return false;", "return false;", "unit/setop/face_pairs.cpp"),
+    "rough boxes: the map turns coordinates round": (
+        "geometry/rough_box.hpp", "(x - centre_[i]) * scale_, -most, most", "(centre_[i] - x) * scale_, -most, most",
+        "unit/geometry/rough_box.cpp"),
+    "grid meet: coefficients of any length pass": (
+        "geometry/grid_meet.hpp", "if (v > most || v < -most) return std::nullopt;", "(void)most;",
+        "unit/geometry/grid_meet.cpp"),
+    "grid meet: what is no double is rounded": (
+        "geometry/grid_meet.hpp", "if (x >= UInt128(1) << 53U) return std::nullopt;  // odd, so no shorter", "",
+        "unit/geometry/grid_meet.cpp"),
+    "grid meet: a remainder is dropped": (
+        "geometry/grid_meet.hpp", "if (x % y != 0) return std::nullopt;", "", "unit/geometry/grid_meet.cpp"),
+    "build: a plane across an edge faces any way": (
+        "region/build.hpp", "return same_way ? plane : flipped(plane);", "return plane;", "unit/region/build.cpp"),
+    "result: a vertex that is a common point has two numbers": (
+        "setop/surface_result.hpp", "            points_[own] = no_id;\n", "", "unit/setop/surface_evaluation.cpp"),
+    "triangles: two points of a line and any third are straight": (
+        "mesh/boundary_triangles.hpp", "of_q.contain(k) && of_r.contain(k)", "of_q.contain(k)",
+        "unit/mesh/from_region.cpp"),
     "expression: of an odd number of parts the last one is forgotten": (
         "setop/expression.hpp", "if (regions.size() % 2 == 1) next.push_back(regions.back());", "",
         "unit/setop/expression.cpp"),

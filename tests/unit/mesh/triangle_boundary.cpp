@@ -32,7 +32,7 @@ TEST_CASE("triangle_boundary: points are numbered by their first corners, unused
         CHECK(b.points[1].approximation == std::array<double, 3>{0, 0, 1});
         CHECK_FALSE(std::signbit(b.points[2].approximation[1]));
         CHECK(b.faces.faces.size() == 4);
-        CHECK(b.faces.loop_first == std::vector<std::uint32_t>{0, 3, 6, 9, 12});
+        CHECK(b.faces.loop_first == LargeVector<std::uint32_t>{0, 3, 6, 9, 12});
         CHECK(b.faces.faces[3].source == Source{0, 3});
         CHECK(b.bounds.lo == std::array<double, 3>{0, 0, 0});
         CHECK(b.bounds.hi == std::array<double, 3>{1, 1, 1});

@@ -49,7 +49,7 @@ void check_round_trip(const Region<D>& region) {
 
 TEST_CASE("boundary: faces and loops are runs of one list of corners") {
     FaceList list;
-    CHECK(list.loop_first == std::vector<std::uint32_t>{0});
+    CHECK(list.loop_first == LargeVector<std::uint32_t>{0});
     const Corner c[] = {{10, 0}, {11, 2}, {12, 4}, {13, 6}};
     list.begin_face(4, {0, 1});
     list.add_loop({c, 3});
@@ -63,7 +63,7 @@ TEST_CASE("boundary: faces and loops are runs of one list of corners") {
     CHECK(list.faces[1].loop_count == 1);
     CHECK(list.faces[1].plane == 6);
     CHECK(list.faces[1].source == Source{0, 2});
-    CHECK(list.loop_first == std::vector<std::uint32_t>{0, 3, 6, 10});
+    CHECK(list.loop_first == LargeVector<std::uint32_t>{0, 3, 6, 10});
     CHECK(list.loop(1).size() == 3);
     CHECK(list.loop(1)[0] == c[1]);
     CHECK(list.loop(2)[3] == c[3]);
@@ -102,7 +102,7 @@ TEST_CASE("boundary: freezing keeps what faces use, in order of first use") {
     CHECK(b.faces.faces[0].plane == 0);
     CHECK(b.faces.faces[1].plane == 3);  // orientations are kept
     CHECK(b.faces.faces[1].source == Source{1, 2});
-    CHECK(b.faces.corners == std::vector<Corner>{{0, 4}, {1, 3}, {1, 0}, {2, 4}, {2, 3}, {0, 0}});
+    CHECK(b.faces.corners == LargeVector<Corner>{{0, 4}, {1, 3}, {1, 0}, {2, 4}, {2, 3}, {0, 0}});
     REQUIRE(b.points.size() == 3);
     // Of the planes that p is known to lie on only those of the boundary are kept.
     CHECK(b.points[0].planes == std::array<std::uint32_t, 2>{no_id, 0});
