@@ -210,11 +210,6 @@ MUTANTS = {
     "face pairs: touching is lying apart": (
         "setop/face_pairs.hpp", "return signs != 0 && signs != all_plus;",
         "return (signs & 0b101010U) != signs && (signs & 0b101010U) != 0;", "unit/setop/face_pairs.cpp"),
-    "face pairs: floats decide, however close everything is": (
-        "setop/face_pairs.hpp", "if (!are_too_fine(x, y)) return false;", "return false;", "unit/setop/face_pairs.cpp"),
-    "rough boxes: the map turns coordinates round": (
-        "geometry/rough_box.hpp", "(x - centre_[i]) * scale_, -most, most", "(centre_[i] - x) * scale_, -most, most",
-        "unit/geometry/rough_box.cpp"),
     "grid meet: coefficients of any length pass": (
         "geometry/grid_meet.hpp", "if (v > most || v < -most) return std::nullopt;", "(void)most;",
         "unit/geometry/grid_meet.cpp"),

@@ -64,7 +64,6 @@
 #include <cleave/geometry/point_record.hpp>
 #include <cleave/geometry/relation.hpp>
 #include <cleave/geometry/residues.hpp>
-#include <cleave/geometry/rough_box.hpp>
 #include <cleave/geometry/rounded_meet.hpp>
 #include <cleave/geometry/segment_pairs.hpp>
 #include <cleave/geometry/side.hpp>

@@ -17,30 +17,22 @@ CLEAVE_BEGIN_NAMESPACE
 /// A box with the name of what it bounds.
 template <int D>
 struct NamedBox {
-    static constexpr int dimension = D;
-    using Box = Bounds<D>;
-
     Bounds<D> box;
     std::uint32_t name = 0;
-
-    [[nodiscard]] std::uint32_t id() const noexcept { return name; }
 };
 
-/// Named boxes and a box around them all. `Named`: a NamedBox, or what has the same members but for the name.
-template <class Named>
+/// Named boxes and a box around them all.
+template <int D>
 struct BoxGroup {
-    using Box = typename Named::Box;
-    static constexpr int D = Named::dimension;
+    std::span<NamedBox<D>> boxes;
+    Bounds<D> bounds;
 
-    std::span<Named> boxes;
-    Box bounds;
-
-    explicit BoxGroup(std::span<Named> all) : boxes(all) {
-        for (const Named& b : all) bounds.include(b.box);
+    explicit BoxGroup(std::span<NamedBox<D>> all) : boxes(all) {
+        for (const NamedBox<D>& b : all) bounds.include(b.box);
     }
 
     /// Keeps those that meet `other`; the rest stays behind them in memory. Returns: whether any does.
-    bool keep_meeting(const Box& other) {
+    bool keep_meeting(const Bounds<D>& other) {
         if (!other.contains(bounds)) {
             std::size_t kept = 0;
             bounds = {};
@@ -60,7 +52,7 @@ struct BoxGroup {
         std::size_t x = 0;
         for (int i = 1; i < D; ++i)
             if (bounds.extent(i) > bounds.extent(int(x))) x = std::size_t(i);
-        const auto middle = bounds.lo[x] / 2 + bounds.hi[x] / 2;
+        const double middle = bounds.lo[x] / 2 + bounds.hi[x] / 2;
         std::pair<BoxGroup, BoxGroup> halves{BoxGroup({}), BoxGroup({})};
         std::size_t lower = 0;
         for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -75,10 +67,10 @@ struct BoxGroup {
             lower == boxes.size()) {
             lower = boxes.size() / 2;
             std::nth_element(boxes.begin(), boxes.begin() + std::ptrdiff_t(lower), boxes.end(),
-                             [x](const Named& p, const Named& q) {
-                                 const auto s = centre(p, x);
-                                 const auto t = centre(q, x);
-                                 return s < t || (s == t && p.id() < q.id());
+                             [x](const NamedBox<D>& p, const NamedBox<D>& q) {
+                                 const double s = centre(p, x);
+                                 const double t = centre(q, x);
+                                 return s < t || (s == t && p.name < q.name);
                              });
             return {BoxGroup(boxes.first(lower)), BoxGroup(boxes.subspan(lower))};
         }
@@ -89,8 +81,8 @@ struct BoxGroup {
 
 private:
     /// Zero where the box has no end on either side, so that centres have an order.
-    static auto centre(const Named& b, std::size_t x) {
-        const auto c = b.box.lo[x] / 2 + b.box.hi[x] / 2;
+    static double centre(const NamedBox<D>& b, std::size_t x) {
+        const double c = b.box.lo[x] / 2 + b.box.hi[x] / 2;
         return c == c ? c : 0;
     }
 };
@@ -100,30 +92,26 @@ private:
 ///
 /// Both sets are split together, the larger first, and before each split either set loses what does not reach the
 /// other's box: where the sets hardly overlap, nearly everything goes in the first pass, and no tree is ever built for
-/// it. `poll(n)` is called before n boxes are looked at; what it throws ends the search. `take(a, b)` is offered what
-/// would be split next, and returns whether it has seen to all pairs of the two.
+/// it. `poll(n)` is called before n boxes are looked at; what it throws ends the search.
 /// Cost: O((n + m) log(n + m) + answers) for well-shaped boxes.
-template <class Named, class Visit, class Poll, class Take>
-void for_each_meeting_pair(const BoxGroup<Named>& first, const BoxGroup<Named>& second, Visit&& visit, Poll&& poll,
-                           Take&& take) {
-    using Group = BoxGroup<Named>;
+template <int D, class Visit, class Poll>
+void for_each_meeting_pair(std::span<NamedBox<D>> first, std::span<NamedBox<D>> second, Visit&& visit, Poll&& poll) {
+    using Group = BoxGroup<D>;
     constexpr std::size_t few = 8;
-    std::vector<std::pair<Group, Group>> work{{first, second}};
+    std::vector<std::pair<Group, Group>> work{{Group(first), Group(second)}};
     while (!work.empty()) {
         auto [a, b] = work.back();
         work.pop_back();
         if (a.boxes.size() <= few && b.boxes.size() <= few) {
-            for (const Named& x : a.boxes)
-                for (const Named& y : b.boxes)
-                    if (!x.box.disjoint(y.box)) visit(x.id(), y.id());
+            for (const NamedBox<D>& x : a.boxes)
+                for (const NamedBox<D>& y : b.boxes)
+                    if (!x.box.disjoint(y.box)) visit(x.name, y.name);
             continue;
         }
         poll(a.boxes.size() + b.boxes.size());
         if (!b.keep_meeting(a.bounds) || !a.keep_meeting(b.bounds)) continue;
         if (a.boxes.size() <= few && b.boxes.size() <= few) {
             work.push_back({a, b});
-        } else if (take(a, b)) {
-            continue;
         } else if (a.boxes.size() >= b.boxes.size()) {
             const auto [lower, upper] = a.split();
             work.push_back({upper, b});
@@ -136,12 +124,10 @@ void for_each_meeting_pair(const BoxGroup<Named>& first, const BoxGroup<Named>& 
     }
 }
 
-/// The same for all of two sets.
+/// The same without a poll.
 template <int D, class Visit>
 void for_each_meeting_pair(std::span<NamedBox<D>> first, std::span<NamedBox<D>> second, Visit&& visit) {
-    using Group = BoxGroup<NamedBox<D>>;
-    for_each_meeting_pair(
-        Group(first), Group(second), visit, [](std::size_t) {}, [](const Group&, const Group&) { return false; });
+    for_each_meeting_pair<D>(first, second, visit, [](std::size_t) {});
 }
 
 /// The same within one set: calls `visit(a, b)` with the names of every two of `boxes` that meet, each pair once.
@@ -149,9 +135,9 @@ void for_each_meeting_pair(std::span<NamedBox<D>> first, std::span<NamedBox<D>> 
 template <int D, class Visit>
 void for_each_meeting_pair(std::span<NamedBox<D>> boxes, Visit&& visit) {
     constexpr std::size_t few = 8;
-    std::vector<BoxGroup<NamedBox<D>>> work{BoxGroup<NamedBox<D>>(boxes)};
+    std::vector<BoxGroup<D>> work{BoxGroup<D>(boxes)};
     while (!work.empty()) {
-        const BoxGroup<NamedBox<D>> part = work.back();
+        const BoxGroup<D> part = work.back();
         work.pop_back();
         if (part.boxes.size() <= few) {
             for (std::size_t i = 0; i < part.boxes.size(); ++i)

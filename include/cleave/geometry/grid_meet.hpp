@@ -42,11 +42,11 @@ inline std::optional<double> quotient(Int128 n, Int128 w) {
 
 }  // namespace grid_meeting
 
-/// The point that three planes n.x + c = 0 have in common; nullopt where a normal's coefficient has more than 30 bits
-/// or an offset more than 62, where there is no one such point, or where a coordinate of it is no double.
+/// The point that three planes n.x + c = 0 have in common; nullopt where a normal's coefficient is beyond 2^30 or
+/// an offset beyond 2^62, where there is no one such point, or where a coordinate of it is no double.
 ///
-/// Minors of two normals have at most 61 bits, those with a column of offsets 93, so each of the four determinants has
-/// less than 126, and nothing overflows.
+/// Minors of two normals are at most 2^61, those with a column of offsets 2^93, so each of the four determinants is
+/// less than 2^125, and nothing overflows.
 [[nodiscard]] inline std::optional<std::array<double, 3>> grid_meet(
     const std::array<const std::array<Integer, 4>*, 3>& planes) {
     constexpr std::int64_t longest_normal = std::int64_t(1) << 30U;

@@ -81,7 +81,7 @@ private:
 
     /// Planes other than the face's own on which a point is said to lie: each is a line of the face.
     struct Lines {
-        std::array<std::uint32_t, 5> planes;
+        std::array<std::uint32_t, 5> planes{};
         std::size_t count = 0;
 
         void add(std::uint32_t k) {

@@ -37,8 +37,8 @@ inline PlaneId intern_plane_through(PlaneTable<3>& planes, const std::array<doub
     return planes.intern(plane_through(p, q, r));
 }
 
-/// The plane through the edge from u to v of a face on plane f and the coordinate direction most across the face,
-/// which is on its minus side. For edges with no other plane that would do.
+/// The plane through the edge from u to v of a face on plane f and the coordinate direction most across the face; the
+/// face is on its minus side. For edges with no other plane that would do.
 inline PlaneId plane_across(Kernel<3>& kernel, PlaneId f, PointId u, PointId v) {
     const int axis = dominant_axis(kernel, unoriented(f));
     const auto x = std::size_t(axis);

@@ -7,7 +7,6 @@
 #include <cleave/execution/executor_ref.hpp>
 #include <cleave/execution/progress.hpp>
 #include <cleave/geometry/box_pairs.hpp>
-#include <cleave/geometry/rough_box.hpp>
 #include <cleave/setop/face_contact.hpp>
 
 #include <algorithm>
@@ -66,16 +65,12 @@ private:
     }
 
     void find_neighbours() {
-        Bounds<3> all;
         for (std::uint32_t j = 1; j < operands_->count(); ++j)
             for (std::uint32_t i = 0; i < j; ++i) {
                 if (operands_->boundary(i).bounds.disjoint(operands_->boundary(j).bounds)) continue;
                 neighbours_[i] |= Bits(1) << j;
                 neighbours_[j] |= Bits(1) << i;
-                all.include(operands_->boundary(i).bounds);
-                all.include(operands_->boundary(j).bounds);
             }
-        map_ = RoughMap(all);
     }
 
     [[nodiscard]] bool are_neighbours(std::uint32_t i, std::uint32_t j) const {
@@ -97,13 +92,8 @@ private:
             }
         if (others.empty()) return;
         std::vector<std::uint8_t> beyond(b.points.size());
-        std::vector<rough::Four> places(b.points.size());
         for_each_chunk(executor_, b.points.size(), grain, [&](std::size_t begin, std::size_t end, std::size_t) {
-            for (std::size_t p = begin; p < end; ++p) {
-                beyond[p] = sides_beyond(b.points[p], all);
-                places[p] = map_(b.points[p].approximation);
-                places[p][3] = b.points[p].error == 0 ? 0 : 1;  // to be looked at again
-            }
+            for (std::size_t p = begin; p < end; ++p) beyond[p] = sides_beyond(b.points[p], all);
         });
         const auto may_meet = [&](std::uint32_t f) {
             std::uint8_t common = 0xff;
@@ -129,19 +119,8 @@ private:
         for (const auto& list : found) near.insert(near.end(), list.begin(), list.end());
         boxes_[i].resize(count);
         for_each_chunk(executor_, count, grain, [&](std::size_t begin, std::size_t end, std::size_t) {
-            for (std::size_t n = begin; n < end; ++n) boxes_[i][n] = {rough_box_of(b, near[n], places), near[n]};
+            for (std::size_t n = begin; n < end; ++n) boxes_[i][n] = {box_of(b, near[n]), near[n]};
         });
-    }
-
-    [[nodiscard]] RoughBounds rough_box_of(const Boundary<3>& b, std::uint32_t f,
-                                           const std::vector<rough::Four>& places) const {
-        RoughBounds box;
-        for (const Corner& c : b.faces.corners_of(f)) {
-            box.lo = rough::min(box.lo, places[c.point]);
-            box.hi = rough::max(box.hi, places[c.point]);
-        }
-        if (box.hi[3] != 0) return map_(box_of(b, f));
-        return box;
     }
 
     static Bounds<3> box_of(const Boundary<3>& b, std::uint32_t f) {
@@ -177,18 +156,13 @@ private:
 
     /// f and g in one number, which ascends by f, then by g.
     using Key = std::uint64_t;
-    using Group = BoxGroup<NamedRoughBox>;
-
-    struct OperandPair {
-        std::uint32_t i, j;
-    };
 
     void find_pairs() {
-        std::vector<NamedRoughBox> first, second;
-        const auto reaching = [&](std::uint32_t i, std::uint32_t j, std::vector<NamedRoughBox>& out) {
+        std::vector<NamedBox<3>> first, second;
+        const auto reaching = [&](std::uint32_t i, std::uint32_t j, std::vector<NamedBox<3>>& out) {
             out.clear();
-            const RoughBounds bounds = map_(operands_->boundary(j).bounds);
-            for (const NamedRoughBox& b : boxes_[i])
+            const Bounds<3>& bounds = operands_->boundary(j).bounds;
+            for (const NamedBox<3>& b : boxes_[i])
                 if (!b.box.disjoint(bounds)) out.push_back(b);
         };
         for (std::uint32_t j = 1; j < operands_->count(); ++j)
@@ -202,8 +176,7 @@ private:
                     reaching(j, i, second);
                 }
                 keys_.clear();
-                const OperandPair pair{i, j};
-                for_each_piece(pair, Group(first), Group(second));
+                for_each_piece(BoxGroup<3>(first), BoxGroup<3>(second));
                 box_pair_count_ += keys_.size();
                 throw_if_stopped();
                 sort_keys(i);
@@ -214,12 +187,12 @@ private:
 
     /// Collects the pairs of boxes that meet. Halves go their own ways, on different threads where they are large: each
     /// with a copy of what both would reorder.
-    void for_each_piece(const OperandPair& pair, Group a, Group b) {
+    void for_each_piece(BoxGroup<3> a, BoxGroup<3> b) {
         throw_if_stopped();
         const bool is_large = executor_.concurrency() > 1 && a.boxes.size() + b.boxes.size() >= 2 * grain;
         if (is_large) {
-            const RoughBounds of_a = a.bounds;
-            const RoughBounds of_b = b.bounds;
+            const Bounds<3> of_a = a.bounds;
+            const Bounds<3> of_b = b.bounds;
             executor_.invoke([&] { a.keep_meeting(of_b); }, [&] { b.keep_meeting(of_a); });
             if (a.boxes.empty() || b.boxes.empty()) return;
         } else if (!b.keep_meeting(a.bounds) || !a.keep_meeting(b.bounds)) {
@@ -228,20 +201,14 @@ private:
         if (!is_large) {
             std::vector<Key> found;
             std::size_t looked_at = 0;
-            const auto visit = [&](std::uint32_t f, std::uint32_t g) { found.push_back(Key(f) << 32U | g); };
-            const auto poll = [&](std::size_t boxes) {
-                looked_at += boxes;
-                if (looked_at < boxes_between_polls) return;
-                looked_at = 0;
-                throw_if_stopped();
-            };
-            for_each_meeting_pair(a, b, visit, poll, [&](const Group& x, const Group& y) {
-                if (!are_too_fine(x, y)) return false;
-                std::vector<NamedBox<3>> first = exact_boxes(pair.i, x);
-                std::vector<NamedBox<3>> second = exact_boxes(pair.j, y);
-                for_each_meeting_pair<3>(first, second, visit);
-                return true;
-            });
+            for_each_meeting_pair<3>(
+                a.boxes, b.boxes, [&](std::uint32_t f, std::uint32_t g) { found.push_back(Key(f) << 32U | g); },
+                [&](std::size_t boxes) {
+                    looked_at += boxes;
+                    if (looked_at < boxes_between_polls) return;
+                    looked_at = 0;
+                    throw_if_stopped();
+                });
             const std::lock_guard<std::mutex> lock(mutex_);
             if (keys_.empty())
                 keys_ = std::move(found);
@@ -251,39 +218,25 @@ private:
         }
         const bool split_a = a.boxes.size() >= b.boxes.size();
         const auto halves = (split_a ? a : b).split();
-        const Group& lower = halves.first;
-        const Group& upper = halves.second;
-        const std::span<NamedRoughBox> shared = split_a ? b.boxes : a.boxes;
-        std::vector<NamedRoughBox> copy;
-        for (const NamedRoughBox& box : shared)
+        const BoxGroup<3>& lower = halves.first;
+        const BoxGroup<3>& upper = halves.second;
+        const std::span<NamedBox<3>> shared = split_a ? b.boxes : a.boxes;
+        std::vector<NamedBox<3>> copy;
+        for (const NamedBox<3>& box : shared)
             if (!box.box.disjoint(upper.bounds)) copy.push_back(box);
         executor_.invoke(
             [&] {
                 if (split_a)
-                    for_each_piece(pair, lower, b);
+                    for_each_piece(lower, b);
                 else
-                    for_each_piece(pair, a, lower);
+                    for_each_piece(a, lower);
             },
             [&] {
                 if (split_a)
-                    for_each_piece(pair, upper, Group(copy));
+                    for_each_piece(upper, BoxGroup<3>(copy));
                 else
-                    for_each_piece(pair, Group(copy), upper);
+                    for_each_piece(BoxGroup<3>(copy), upper);
             });
-    }
-
-    /// Whether many boxes are so close together, for the size of everything, that floats hardly tell them apart.
-    static bool are_too_fine(const Group& a, const Group& b) {
-        if (a.boxes.size() + b.boxes.size() < 64) return false;
-        for (int axis = 0; axis < 3; ++axis)
-            if (a.bounds.extent(axis) > 0x1p-14f || b.bounds.extent(axis) > 0x1p-14f) return false;
-        return true;
-    }
-
-    [[nodiscard]] std::vector<NamedBox<3>> exact_boxes(std::uint32_t i, const Group& group) const {
-        std::vector<NamedBox<3>> boxes;
-        for (const NamedRoughBox& b : group.boxes) boxes.push_back({box_of(operands_->boundary(i), b.id()), b.id()});
-        return boxes;
     }
 
     /// By counting the first faces where there are many pairs, by comparing where there are few.
@@ -383,8 +336,7 @@ private:
     const ProgressReporter* progress_;
     std::vector<Bits> neighbours_;
     std::vector<std::vector<std::uint32_t>> near_;
-    RoughMap map_;  // of everything that meets
-    std::vector<std::vector<NamedRoughBox>> boxes_;
+    std::vector<std::vector<NamedBox<3>>> boxes_;
     std::vector<Key> keys_;
     std::mutex mutex_;  // of keys_ while pieces run
     std::vector<FacePair> pairs_;

@@ -136,8 +136,9 @@ private:
         const FaceList& list = operands_->boundary(i).faces;
         RecordWalk walk = contacts_->walk(i);
         std::vector<bool> seen(operands_->boundary(i).points.size(), false);
+        std::size_t looked_at = 0;
         for (const std::uint32_t f : contacts_->near(i)) {
-            if (f % 4096 == 0 && progress != nullptr) progress->throw_if_stopped();
+            if (looked_at++ % 4096 == 0 && progress != nullptr) progress->throw_if_stopped();
             for (const Corner& c : list.corners_of(f)) {
                 if (seen[c.point]) continue;
                 seen[c.point] = true;

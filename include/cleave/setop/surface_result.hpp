@@ -43,7 +43,8 @@ public:
         add_copies(no_id, first, static_cast<std::uint32_t>(made_.faces.size()), false);
     }
 
-    /// The boundary. Throws: Cancelled. Cost: linear in the result, and in the operands' points.
+    /// The boundary. Throws: Cancelled. Cost: linear in the result, and in the points and planes
+    /// of the operands and the kernel.
     [[nodiscard]] Boundary<3> finish(bool value_at_infinity, ExecutorRef executor, const ProgressReporter* progress) {
         executor_ = executor;
         progress_ = progress;
