@@ -54,7 +54,7 @@ public:
             if (sound_) assemble(i);
         sound_ = sound_ && labels_.is_consistent();
         if (!sound_) return;
-        boundary_ = result_.finish(function_(labels_.far()), options.executor, options.progress);
+        boundary_ = result_.finish(function_(labels_.far()), options.executor, options.progress, face_count_);
         if (options.progress != nullptr) options.progress->finish();
     }
 

@@ -43,21 +43,29 @@ public:
         add_copies(no_id, first, static_cast<std::uint32_t>(made_.faces.size()), false);
     }
 
-    /// The boundary. Throws: Cancelled. Cost: linear in the result, and in the points and planes
-    /// of the operands and the kernel.
-    [[nodiscard]] Boundary<3> finish(bool value_at_infinity, ExecutorRef executor, const ProgressReporter* progress) {
+    /// The boundary. Tells `progress` of `share` units of work. Throws: Cancelled. Cost: linear in the result, and in
+    /// the points and planes of the operands and the kernel.
+    [[nodiscard]] Boundary<3> finish(bool value_at_infinity, ExecutorRef executor, ProgressReporter* progress,
+                                     std::size_t share) {
         executor_ = executor;
         progress_ = progress;
+        const auto advance = [&](std::size_t units) {
+            if (progress != nullptr) progress->advance(units);
+        };
         kernel_slots_ = operands_->vertex_count();
         out_.value_at_infinity = value_at_infinity;
         out_.is_complete = false;
         out_.is_conforming = true;
         place_runs();
         mark();
+        advance(share / 4);
         number_points();
         intern_planes();
+        advance(share / 4);
         fill_points();
+        advance(share / 4);
         fill_faces();
+        advance(share - share / 4 * 3);
         return std::move(out_);
     }
 

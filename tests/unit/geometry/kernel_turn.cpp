@@ -35,10 +35,10 @@ TEST_CASE("turn of kernel points: doubles, integers and meets, each axis, both w
     CHECK(turn(kernel, o, z, x, Projection::along(1)) == Sign::plus);
     CHECK(turn(kernel, o, x, z, Projection::along(2)) == Sign::zero);
     CHECK(turn(kernel, o, x, x, Projection::along(2)) == Sign::zero);
-    // A meet: (1, 1, 1) of the planes through it and two vertices each, which no double is told of.
+    // A meet: (1/3, 1/3, 1/3) of the planes through it and two vertices each, no point of doubles.
     std::array<std::uint32_t, 3> planes{};
     const std::array<std::array<int, 4>, 3> others{{{1, 2, 3, 1}, {4, 1, 2, 1}, {2, 5, 1, 1}}};
-    const PointId one = integer_point(kernel, {1, 1, 1, 1});
+    const PointId one = integer_point(kernel, {1, 1, 1, 3});
     for (std::size_t i = 0; i < 3; ++i) {
         const std::array<PointId, 3> through{one, integer_point(kernel, others[i]),
                                              integer_point(kernel, others[(i + 1) % 3])};
